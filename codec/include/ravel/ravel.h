@@ -1,0 +1,135 @@
+// Ravel: packs polygon and tetrahedral meshes by winding all cells onto one strip.
+//
+//     ravel::Mesh mesh = ...;
+//     auto packed = ravel::encode(mesh);                        // bit-exact by default
+//     if (!packed) return complain(packed.error());
+//     auto again = ravel::decode(packed->bytes);                // safe on any bytes
+//
+// What a file keeps: every point, cell, companion, attribute and name; positions exactly or within a
+// stated bound. What it does not keep unless asked (`keep_order`): the order of points and cells, the
+// corner a polygon starts with, and which even permutation a tet is written in.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ravel/mesh.h"
+#include "ravel/result.h"
+
+namespace ravel {
+
+enum class FactorMethod : std::uint8_t { steered, euler };
+
+struct EncodeOptions {
+    // Positions: exact unless one of these is given. They exclude each other.
+    std::optional<int> position_bits;   // 1..30 bits along the longest side of the bounding box
+    std::optional<double> max_error;    // > 0, largest absolute error of any coordinate
+    bool float32 = false;               // round float64 positions to float32 first
+    bool keep_order = false;            // restore point and cell order, start corners, tet permutations
+    FactorMethod method = FactorMethod::steered;
+    double strip_budget = 12.5;         // percent of cells a materialised strip may add
+    int level = 19;                     // zstd's level, 1..22
+};
+
+// Where the elements of the mesh given to `encode` are in the mesh that `decode` returns.
+struct OrderMaps {
+    std::vector<Index> point;         // old point -> new point
+    std::vector<Index> cell;          // old cell -> new cell
+    std::vector<std::uint8_t> turn;   // old cell -> polygons: new start corner; tets: code of the permutation
+};
+
+struct StripCounts {
+    Index components = 0;    // facet-connected
+    Index cycles = 0;        // of the 2-factor, before merging
+    Index paths = 0;         // of the 2-factor with two cells or more
+    Index singletons = 0;    // of the 2-factor
+    Index fan_merges = 0;
+    Index links = 0;
+    Index strips = 0;        // always == components
+    Index open_strips = 0;   // of those, the ones that do not close
+};
+
+struct Encoded {
+    std::vector<std::byte> bytes;
+    OrderMaps order;
+    StripCounts strip;
+    double position_bound = 0;   // 0 for exact positions
+    double position_error = 0;   // largest error, measured with the decoder's arithmetic
+};
+
+// Packs a mesh. Fails on broken options or a Mesh that breaks its invariants, never on dirty geometry
+// or topology. Linear in the mesh but for sorting; the same bytes on every machine with one libzstd.
+Result<Encoded> encode(const Mesh& mesh, const EncodeOptions& options = {});
+
+struct DecodeOptions {
+    std::uint64_t memory_limit = std::uint64_t{16} << 30;  // bytes the decoder may allocate in all
+};
+
+// How the strip runs over the decoded mesh, whose cells are in the order of the strip's first visit.
+// Facet f of a polygon is its side from corner f to f+1; facet f of a tet lies opposite corner f.
+struct StripStep {
+    Index from = kNoIndex;        // the cell the strip came from; kNoIndex at the start of a component
+    std::uint32_t exit = 0;       // facet of `from`
+    std::uint32_t entry = 0;      // facet of this cell
+    bool link = false;            // the step splits both cells once the strip is materialised
+};
+
+struct Decoded {
+    Mesh mesh;
+    std::vector<StripStep> steps;  // one per cell
+};
+
+// Unpacks. Any bytes are safe: they give a mesh or an Error. Linear in input plus output.
+Result<Decoded> decode(std::span<const std::byte> bytes, const DecodeOptions& options = {});
+
+struct SectionInfo {
+    std::string name;              // e.g. "connectivity", "positions"
+    std::uint64_t bytes = 0;       // as stored
+    std::uint64_t raw_bytes = 0;   // unpacked
+};
+
+struct FileInfo {
+    int version = 0;
+    CellKind kind = CellKind::polygon;
+    Index points = 0, cells = 0, corners = 0, companions = 0, components = 0, links = 0;
+    Scalar position_scalar = Scalar::f32;
+    bool lossless_positions = true;
+    bool keeps_order = false;
+    int position_bits = 0;         // of the grid's longest side; 0 for lossless
+    double grid_step = 0;
+    double position_bound = 0;
+    double position_error = 0;     // as measured by the encoder
+    std::uint64_t file_bytes = 0;
+    std::uint64_t header_bytes = 0;
+    std::vector<SectionInfo> sections;
+    struct AttributeInfo {
+        std::string name;
+        Place place = Place::point;
+        Scalar scalar = Scalar::f32;
+        std::uint32_t arity = 1;
+    };
+    std::vector<AttributeInfo> attributes;
+};
+
+// Reads headers only; packed data is neither unpacked nor checked against its checksums.
+Result<FileInfo> inspect(std::span<const std::byte> bytes);
+
+// Is `decoded` what `original` became? Connectivity, order maps, attributes and names exactly; finite
+// positions within `bound` (0: bit for bit), others bit for bit. Linear.
+struct Comparison {
+    bool equal = false;
+    bool connectivity_equal = false;
+    bool attributes_equal = false;
+    bool positions_equal = false;
+    bool order_kept = false;        // points and cells come in the original order
+    double max_error = 0;
+    std::string difference;         // the first difference in words, empty when equal
+};
+Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order, double bound);
+
+}  // namespace ravel

@@ -1,0 +1,143 @@
+#include "ravel/mesh.h"
+
+#include <string>
+
+namespace ravel {
+
+std::size_t size_of(Scalar scalar) {
+    switch (scalar) {
+        case Scalar::u8:
+        case Scalar::i8: return 1;
+        case Scalar::u16:
+        case Scalar::i16: return 2;
+        case Scalar::u32:
+        case Scalar::i32:
+        case Scalar::f32: return 4;
+        case Scalar::u64:
+        case Scalar::i64:
+        case Scalar::f64: return 8;
+    }
+    return 0;
+}
+
+const char* name_of(Scalar scalar) {
+    switch (scalar) {
+        case Scalar::u8: return "uint8";
+        case Scalar::i8: return "int8";
+        case Scalar::u16: return "uint16";
+        case Scalar::i16: return "int16";
+        case Scalar::u32: return "uint32";
+        case Scalar::i32: return "int32";
+        case Scalar::u64: return "uint64";
+        case Scalar::i64: return "int64";
+        case Scalar::f32: return "float32";
+        case Scalar::f64: return "float64";
+    }
+    return "unknown";
+}
+
+const char* name_of(Place place) {
+    switch (place) {
+        case Place::point: return "point";
+        case Place::corner: return "corner";
+        case Place::cell: return "cell";
+        case Place::companion: return "companion";
+        case Place::mesh: return "mesh";
+    }
+    return "unknown";
+}
+
+const char* name_of(CellKind kind) { return kind == CellKind::tet ? "tet" : "polygon"; }
+
+Array make_array(Scalar scalar, std::uint32_t arity, std::size_t count) {
+    Array array{scalar, arity, {}};
+    array.bytes.resize(array.stride() * count);
+    return array;
+}
+
+namespace {
+
+Error bad(std::uint64_t at, std::string detail) { return {Code::bad_mesh, at, std::move(detail)}; }
+
+Status check_cells(const Mesh& mesh) {
+    if (mesh.kind == CellKind::tet) {
+        if (!mesh.corner_begin.empty()) return bad(0, "a tet mesh has no corner_begin");
+        if (mesh.corners.size() % 4 != 0) return bad(mesh.corners.size() / 4, "tets have four corners each");
+    } else {
+        if (mesh.corner_begin.empty() && !mesh.corners.empty())
+            return bad(0, "a polygon mesh with corners needs corner_begin");
+        if (!mesh.corner_begin.empty() &&
+            (mesh.corner_begin.front() != 0 || mesh.corner_begin.back() != mesh.corners.size()))
+            return bad(0, "corner_begin runs from 0 to the number of corners");
+        for (std::size_t c = 1; c < mesh.corner_begin.size(); ++c)
+            if (mesh.corner_begin[c] < mesh.corner_begin[c - 1])
+                return bad(c - 1, "corner_begin must not descend (cell " + std::to_string(c - 1) + ")");
+    }
+    const Index points = mesh.point_count();
+    for (std::size_t i = 0; i < mesh.corners.size(); ++i)
+        if (mesh.corners[i] >= points)
+            return bad(i, "corner " + std::to_string(i) + " names point " +
+                              std::to_string(mesh.corners[i]) + " of " + std::to_string(points));
+    return Done{};
+}
+
+Status check_companions(const Mesh& mesh) {
+    const Index points = mesh.point_count(), cells = mesh.cell_count();
+    for (std::size_t b = 0; b < mesh.companions.size(); ++b) {
+        const CompanionBlock& block = mesh.companions[b];
+        const std::string where = "companion block " + std::to_string(b);
+        if (block.nodes_per_cell == 0 ? !block.nodes.empty()
+                                      : block.nodes.size() % block.nodes_per_cell != 0 ||
+                                            block.nodes.size() / block.nodes_per_cell != block.cell_count)
+            return bad(b, where + " has not cell_count * nodes_per_cell nodes");
+        if (!block.hosts.empty() && block.hosts.size() != block.cell_count)
+            return bad(b, where + " has not one host per cell");
+        for (Index node : block.nodes)
+            if (node >= points) return bad(b, where + " names a point that does not exist");
+        for (Index host : block.hosts)
+            if (host >= cells) return bad(b, where + " names a cell that does not exist");
+    }
+    return Done{};
+}
+
+Status check_attributes(const Mesh& mesh) {
+    for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
+        const Attribute& attribute = mesh.attributes[a];
+        const std::string where = "attribute \"" + attribute.name + "\"";
+        const Array& values = attribute.values;
+        if (values.arity == 0 || values.bytes.size() % values.stride() != 0)
+            return bad(a, where + " has no whole number of tuples");
+        Index elements = 0;
+        switch (attribute.place) {
+            case Place::point: elements = mesh.point_count(); break;
+            case Place::corner: elements = mesh.corners.size(); break;
+            case Place::cell: elements = mesh.cell_count(); break;
+            case Place::companion: elements = mesh.companion_count(); break;
+            case Place::mesh:
+                if (!attribute.index.empty()) return bad(a, where + " is of the mesh and has no index");
+                continue;
+        }
+        const bool indexed = !attribute.index.empty();
+        if ((indexed ? attribute.index.size() : values.count()) != elements)
+            return bad(a, where + " has not one value per " + name_of(attribute.place));
+        for (Index i : attribute.index)
+            if (i != kNoIndex && i >= values.count())
+                return bad(a, where + " refers to a tuple that does not exist");
+    }
+    return Done{};
+}
+
+}  // namespace
+
+Status check_mesh(const Mesh& mesh) {
+    const Array& positions = mesh.positions;
+    if (positions.arity != 3 || !is_float(positions.scalar))
+        return bad(0, "positions are three float32 or float64 per point");
+    if (positions.bytes.size() % positions.stride() != 0)
+        return bad(0, "positions have no whole number of points");
+    if (Status status = check_cells(mesh); !status) return status;
+    if (Status status = check_companions(mesh); !status) return status;
+    return check_attributes(mesh);
+}
+
+}  // namespace ravel
