@@ -1,0 +1,136 @@
+// Tet meshes from cubes: boxes, balls and shells.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "make/families.h"
+#include "make/random.h"
+
+namespace ravel::make {
+namespace {
+
+using Sizes = std::array<std::uint64_t, 3>;
+using Cube = std::array<Index, 8>;  // bit k of the number: the corner is at the far end of axis k
+
+// Six tets around the diagonal 0-7; cubes side by side agree on their faces.       [Kuhn 1960]
+void add_kuhn_cube(Builder& builder, const Cube& cube) {
+    constexpr int kPaths[6][2] = {{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}};
+    for (const auto& path : kPaths)
+        builder.add_cell({cube[0], cube[static_cast<std::size_t>(path[0])],
+                          cube[static_cast<std::size_t>(path[1])], cube[7]});
+}
+
+// One regular tet and four corners; the cut alternates from cube to cube so that faces agree.
+void add_five_cube(Builder& builder, const Cube& cube, bool odd) {
+    if (odd) {
+        builder.add_cell({cube[0], cube[3], cube[5], cube[6]});
+        builder.add_cell({cube[1], cube[0], cube[3], cube[5]});
+        builder.add_cell({cube[2], cube[0], cube[6], cube[3]});
+        builder.add_cell({cube[4], cube[0], cube[5], cube[6]});
+        builder.add_cell({cube[7], cube[3], cube[6], cube[5]});
+    } else {
+        builder.add_cell({cube[1], cube[2], cube[4], cube[7]});
+        builder.add_cell({cube[0], cube[1], cube[2], cube[4]});
+        builder.add_cell({cube[3], cube[1], cube[7], cube[2]});
+        builder.add_cell({cube[5], cube[1], cube[4], cube[7]});
+        builder.add_cell({cube[6], cube[2], cube[7], cube[4]});
+    }
+}
+
+// Puts every tet the same way round (positive volume), as mesh generators do.
+void orient(Builder& builder) {
+    const auto at = [&](Index point, int k) {
+        return builder.coordinates[3 * point + static_cast<std::size_t>(k)];
+    };
+    for (std::size_t c = 0; c + 4 <= builder.corners.size(); c += 4) {
+        double edge[3][3];
+        for (std::size_t e = 0; e < 3; ++e)
+            for (int k = 0; k < 3; ++k)
+                edge[e][k] = at(builder.corners[c + 1 + e], k) - at(builder.corners[c], k);
+        const double volume = edge[0][0] * (edge[1][1] * edge[2][2] - edge[1][2] * edge[2][1]) -
+                              edge[0][1] * (edge[1][0] * edge[2][2] - edge[1][2] * edge[2][0]) +
+                              edge[0][2] * (edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0]);
+        if (volume < 0) std::swap(builder.corners[c + 2], builder.corners[c + 3]);
+    }
+}
+
+// Cubes of the box for which `inside` holds; points that no cube uses are left out.
+template <class Inside>
+Builder cubes(const Sizes& size, bool five, Inside inside) {
+    Builder builder(CellKind::tet);
+    const auto number = [&](std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+        return (z * (size[1] + 1) + y) * (size[0] + 1) + x;
+    };
+    std::vector<Index> point(number(size[0], size[1], size[2]) + 1, kNoIndex);
+    for (std::uint64_t z = 0; z < size[2]; ++z)
+        for (std::uint64_t y = 0; y < size[1]; ++y)
+            for (std::uint64_t x = 0; x < size[0]; ++x) {
+                if (!inside(x, y, z)) continue;
+                Cube cube{};
+                for (std::size_t k = 0; k < 8; ++k) {
+                    const std::uint64_t cx = x + (k & 1), cy = y + (k >> 1 & 1), cz = z + (k >> 2);
+                    Index& known = point[number(cx, cy, cz)];
+                    if (known == kNoIndex)
+                        known = builder.add_point(static_cast<double>(cx), static_cast<double>(cy),
+                                                  static_cast<double>(cz));
+                    cube[k] = known;
+                }
+                if (five)
+                    add_five_cube(builder, cube, (x + y + z) % 2 == 1);
+                else
+                    add_kuhn_cube(builder, cube);
+            }
+    return builder;
+}
+
+// Moves the cube [0, side]^3 onto the ball of radius 1: the longest axis keeps its length.
+void round_off(Builder& builder, double side) {
+    for (std::size_t i = 0; i < builder.coordinates.size(); i += 3) {
+        double p[3], longest = 0, length = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = 2 * builder.coordinates[i + k] / side - 1;
+            longest = std::max(longest, std::fabs(p[k]));
+            length += p[k] * p[k];
+        }
+        const double scale = length > 0 ? longest / std::sqrt(length) : 0;
+        for (std::size_t k = 0; k < 3; ++k) builder.coordinates[i + k] = p[k] * scale;
+    }
+}
+
+}  // namespace
+
+Builder make_tets(Recipe& recipe) {
+    const bool five = recipe.has("five");
+    const double jitter = recipe.number("jitter", 0, 0, 1);
+    Random random{recipe.integer("seed", 1, 0, ~std::uint64_t{0})};
+    const auto everywhere = [](std::uint64_t, std::uint64_t, std::uint64_t) { return true; };
+    Builder builder(CellKind::tet);
+    Sizes size{8, 8, 8};
+    double scale = 1;
+    if (recipe.has("box")) {
+        recipe.sizes("box", size.data(), 3, 400);
+        builder = cubes(size, five, everywhere);
+    } else if (recipe.has("ball")) {
+        recipe.sizes("ball", size.data(), 1, 400);
+        size = {size[0], size[0], size[0]};
+        builder = cubes(size, five, everywhere);
+        scale = 2 / static_cast<double>(size[0]);
+        round_off(builder, static_cast<double>(size[0]));
+    } else if (recipe.has("shell")) {
+        recipe.sizes("shell", size.data(), 1, 400);
+        size = {size[0], size[0], size[0]};
+        const std::uint64_t wall = std::max<std::uint64_t>(1, size[0] / 4), far = size[0] - wall;
+        builder = cubes(size, five, [&](std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+            return std::min({x, y, z}) < wall || std::max({x, y, z}) >= far;
+        });
+        scale = 2 / static_cast<double>(size[0]);
+        round_off(builder, static_cast<double>(size[0]));
+    } else if (recipe.complaint.empty()) {
+        recipe.complaint = "say which: box=, ball= or shell=";
+    }
+    orient(builder);
+    for (double& x : builder.coordinates) x += jitter * scale * random.symmetric() / 2;
+    return builder;
+}
+
+}  // namespace ravel::make
