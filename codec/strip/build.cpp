@@ -1,0 +1,43 @@
+// Dual graph -> 2-matching (steered walk or Euler tour) -> maximum by alternating walks -> surplus paths closed ->
+// strips merged around fans -> tree of links.
+// Cost: near-linear; about 1 s per million cells.
+#include "strip/build.h"
+
+#include <utility>
+
+#include "graph/augment.h"
+#include "graph/cut.h"
+#include "graph/cycles.h"
+#include "graph/euler.h"
+#include "strip/dual.h"
+#include "strip/links.h"
+#include "strip/merge.h"
+#include "strip/steered.h"
+
+namespace ravel {
+
+Strip build_strip(const Complex& complex, FactorMethod method) {
+    const Dual dual = make_dual(complex);
+    const Graph& graph = dual.graph;
+    EdgeSet set = augment(graph, method == FactorMethod::euler ? euler_matching(graph)
+                                                               : steer(complex, dual));
+    StripCounts factor;
+    {
+        const StripList strips = list_strips(graph, set);
+        for (const StripShape shape : strips.shape) {
+            factor.cycles += shape == StripShape::cycle;
+            factor.paths += shape == StripShape::path;
+            factor.singletons += shape == StripShape::singleton;
+        }
+    }
+    set = cut_paths(graph, extend_paths(graph, close_paths(graph, std::move(set))));
+    Merged merged = merge_fans(complex, dual, std::move(set));
+    Strip strip = link_strips(complex, dual, merged.set);
+    strip.counts.cycles = factor.cycles;
+    strip.counts.paths = factor.paths;
+    strip.counts.singletons = factor.singletons;
+    strip.counts.fan_merges = merged.fan_merges;
+    return strip;
+}
+
+}  // namespace ravel

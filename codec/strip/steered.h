@@ -1,0 +1,15 @@
+// Long paths over the mesh that turn as the decoder expects.
+#pragma once
+
+#include "strip/dual.h"
+
+namespace ravel {
+
+struct SteerOptions {
+    int look_ahead = 1;  // a neighbour with fewer ways on than this goes before the rule's choice
+};
+
+// A 2-matching of paths, for `augment` to mend. Linear.
+EdgeSet steer(const Complex& complex, const Dual& dual, const SteerOptions& options = {});
+
+}  // namespace ravel
