@@ -13,10 +13,6 @@ struct RepairLimits {
 // The walks found are shortest ones, so little of the matching changes.
 EdgeSet augment(const Graph& graph, EdgeSet set, const RepairLimits& limits = {});
 
-// Turns paths into cycles and singletons, the fewest singletons a walk within the limits allows, but
-// leaves the last path of each connected part. (More paths stay where the limits stop a search.)
-EdgeSet close_paths(const Graph& graph, EdgeSet set, const RepairLimits& limits = {});
-
 // Lets paths take in singletons at their ends.
 EdgeSet extend_paths(const Graph& graph, EdgeSet set, const RepairLimits& limits = {});
 

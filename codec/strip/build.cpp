@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graph/augment.h"
+#include "graph/close.h"
 #include "graph/cut.h"
 #include "graph/cycles.h"
 #include "graph/euler.h"
