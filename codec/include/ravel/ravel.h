@@ -40,7 +40,8 @@ struct EncodeOptions {
 struct OrderMaps {
     std::vector<Index> point;         // old point -> new point
     std::vector<Index> cell;          // old cell -> new cell
-    std::vector<std::uint8_t> turn;   // old cell -> polygons: new start corner; tets: code of the permutation
+    std::vector<std::uint32_t> turn;  // old cell -> which of its corners the new cell starts with (polygons),
+                                      // or the number of the permutation in kTetTurns (tets)
 };
 
 struct StripCounts {

@@ -1,0 +1,134 @@
+#include "container/head.h"
+
+#include <cmath>
+
+namespace ravel {
+
+const char* name_of(SectionId id) {
+    switch (id) {
+        case SectionId::end: return "end";
+        case SectionId::head: return "head";
+        case SectionId::block: return "block";
+        case SectionId::connectivity: return "connectivity";
+        case SectionId::positions: return "positions";
+        case SectionId::companions: return "companions";
+        case SectionId::attributes: return "attributes";
+        case SectionId::names: return "names";
+        case SectionId::order: return "order";
+    }
+    return "unknown";
+}
+
+Bytes write_head(const Head& head) {
+    ByteWriter out;
+    out.u8(static_cast<std::uint8_t>((head.kind == CellKind::tet ? 1 : 0) |
+                                     (head.position_scalar == Scalar::f64 ? 2 : 0) |
+                                     (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0)));
+    if (!head.lossless) {
+        out.u8(head.position_bits);
+        out.f64(head.step);
+        for (const double o : head.origin) out.f64(o);
+        out.f64(head.bound);
+        out.f64(head.error);
+    }
+    out.varint(head.attributes.size());
+    for (const AttributeHead& a : head.attributes) {
+        out.text(a.name);
+        out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(a.place) | (a.indexed ? 8u : 0u) |
+                                         static_cast<unsigned>(a.scalar) << 4));
+        out.varint(a.arity);
+        out.varint(a.tuples);
+    }
+    return out.take();
+}
+
+Result<Head> read_head(ByteReader& in) {
+    const auto start = in.at();
+    const auto bad = [&](const char* why) { return Error{Code::corrupt, start, why}; };
+    Head head;
+    const unsigned flags = in.u8();
+    if (flags > 15) return bad("the head has flags this version does not know");
+    head.kind = flags & 1 ? CellKind::tet : CellKind::polygon;
+    head.position_scalar = flags & 2 ? Scalar::f64 : Scalar::f32;
+    head.lossless = (flags & 4) != 0;
+    head.keeps_order = (flags & 8) != 0;
+    if (!head.lossless) {
+        head.position_bits = in.u8();
+        head.step = in.f64();
+        for (double& o : head.origin) o = in.f64();
+        head.bound = in.f64();
+        head.error = in.f64();
+        bool sane = std::isfinite(head.step) && head.step > 0 && std::isfinite(head.bound);
+        for (const double o : head.origin) sane = sane && std::isfinite(o);
+        if (in.ok() && !sane) return bad("the grid of the positions makes no sense");
+    }
+    const std::uint64_t count = in.varint();
+    if (count > in.left() / 4) return bad("more attributes than the head has room for");
+    for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
+        AttributeHead a;
+        a.name = in.text();
+        const unsigned kind = in.u8();
+        const std::uint64_t arity = in.varint();
+        a.tuples = in.varint();
+        if ((kind & 7) > static_cast<unsigned>(Place::mesh) || kind >> 4 > static_cast<unsigned>(Scalar::f64) ||
+            arity == 0 || arity > 0xFFFFFFFFu)
+            return bad("an attribute of a kind this version does not know");
+        a.place = static_cast<Place>(kind & 7);
+        a.indexed = (kind & 8) != 0;
+        a.scalar = static_cast<Scalar>(kind >> 4);
+        a.arity = static_cast<std::uint32_t>(arity);
+        head.attributes.push_back(std::move(a));
+    }
+    if (!in.ok() || in.left() != 0) return bad("the head ends too early or too late");
+    return head;
+}
+
+Bytes write_block_head(const BlockHead& b, CellKind kind) {
+    ByteWriter out;
+    out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) | (b.has_copies ? 4 : 0)));
+    out.varint(b.cells);
+    if (kind == CellKind::polygon) {
+        out.varint(b.uniform_degree);
+        if (b.uniform_degree == 0) out.varint(b.corners);
+    }
+    out.varint(b.vertices);
+    if (b.has_copies) out.varint(b.points);
+    out.varint(b.unused_points);
+    out.varint(b.companions);
+    out.varint(b.components);
+    out.varint(b.links);
+    return out.take();
+}
+
+Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
+    const auto start = in.at();
+    const auto bad = [&](const char* why) { return Error{Code::corrupt, start, why}; };
+    BlockHead b;
+    const unsigned flags = in.u8();
+    b.has_border = (flags & 1) != 0;
+    b.has_flips = (flags & 2) != 0;
+    b.has_copies = (flags & 4) != 0;
+    b.cells = in.varint();
+    constexpr Index kMost = 0xFFFFFFFEu;
+    if (flags > 7 || b.cells >= kMost) return bad("a block with more cells than a block may have");
+    if (kind == CellKind::polygon) {
+        b.uniform_degree = in.varint();
+        if (b.uniform_degree >= kMost) return bad("cells with more corners than a block may have");
+        b.corners = b.uniform_degree == 0 ? in.varint() : b.cells * b.uniform_degree;
+    } else {
+        b.corners = 4 * b.cells;
+    }
+    b.vertices = in.varint();
+    b.points = b.has_copies ? in.varint() : b.vertices;
+    b.unused_points = in.varint();
+    b.companions = in.varint();
+    b.components = in.varint();
+    b.links = in.varint();
+    if (!in.ok() || in.left() != 0) return bad("the block's head ends too early or too late");
+    if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices || b.unused_points >= kMost ||
+        b.points + b.unused_points >= kMost || b.components > b.cells || b.links > b.corners)
+        return bad("the counts of a block contradict each other");
+    return b;
+}
+
+}  // namespace ravel

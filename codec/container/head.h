@@ -1,0 +1,55 @@
+// The sections `head` and `block`: fields, in the order in which they are stored.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/bytes.h"
+#include "container/layout.h"
+#include "ravel/mesh.h"
+
+namespace ravel {
+
+struct AttributeHead {
+    std::string name;
+    Place place = Place::point;
+    Scalar scalar = Scalar::f32;
+    std::uint32_t arity = 1;
+    bool indexed = false;
+    Index tuples = 0;
+};
+
+struct Head {
+    CellKind kind = CellKind::polygon;
+    Scalar position_scalar = Scalar::f32;
+    bool lossless = true;
+    bool keeps_order = false;
+    std::uint8_t position_bits = 0;
+    double step = 0;           // the rest only for grids
+    double origin[3] = {0, 0, 0};
+    double bound = 0;
+    double error = 0;
+    std::vector<AttributeHead> attributes;
+};
+
+struct BlockHead {
+    Index points = 0;
+    Index cells = 0;
+    Index corners = 0;
+    Index vertices = 0;        // of the walk; more than points where some had to be cut
+    Index unused_points = 0;
+    Index uniform_degree = 0;  // 0: degrees differ
+    Index companions = 0;
+    Index components = 0;
+    Index links = 0;
+    bool has_border = true;
+    bool has_flips = false;
+    bool has_copies = false;
+};
+
+Bytes write_head(const Head& head);
+Result<Head> read_head(ByteReader& in);
+Bytes write_block_head(const BlockHead& block, CellKind kind);
+Result<BlockHead> read_block_head(ByteReader& in, CellKind kind);
+
+}  // namespace ravel

@@ -1,0 +1,77 @@
+// Reads what FlagEncoder wrote. Any bytes are safe: past the end bits are zero, and `exhausted` tells.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "entropy/flag_model.h"
+
+namespace ravel {
+
+class FlagDecoder {
+  public:
+    explicit FlagDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    bool flag(FlagModel& model) {
+        const auto c = static_cast<std::size_t>(model.flag_class());
+        Run& run = runs_[c];
+        if (run.left == 0) fetch(run, kRunOf[c]);
+        const bool missed = --run.left == 0 && run.ends_in_miss;
+        const bool yes = model.likely() != missed;
+        model.update(yes);
+        return yes;
+    }
+    std::uint64_t plain(int count) {
+        std::uint64_t value = 0;
+        for (; count > 32; count -= 32) value = value << 32 | bits(32);
+        return value << count | bits(count);
+    }
+
+    // More bits were asked for than there are: the stream is cut or not one of ours.
+    bool exhausted() const { return past_ > 0; }
+    // All bits were used, but for the padding of the last byte.
+    bool finished() const { return position_ == bytes_.size() && held_ < 8; }
+
+  private:
+    struct Run {
+        std::uint32_t left = 0;
+        bool ends_in_miss = false;
+    };
+
+    void fetch(Run& run, std::uint32_t full) {
+        run.ends_in_miss = bits(1) == 0;
+        run.left = run.ends_in_miss ? below(full) + 1 : full;
+    }
+    std::uint32_t below(std::uint32_t size) {
+        if (size <= 1) return 0;
+        const int width = std::bit_width(size - 1);
+        const std::uint32_t brief = (std::uint32_t{1} << width) - size;
+        const auto value = static_cast<std::uint32_t>(bits(width - 1));
+        if (value < brief) return value;
+        return static_cast<std::uint32_t>(value << 1 | bits(1)) - brief;
+    }
+    std::uint64_t bits(int count) {  // count <= 32
+        while (held_ < count) {
+            std::uint64_t byte = 0;
+            if (position_ < bytes_.size())
+                byte = static_cast<std::uint64_t>(bytes_[position_++]);
+            else
+                ++past_;
+            hold_ = hold_ << 8 | byte;
+            held_ += 8;
+        }
+        held_ -= count;
+        return hold_ >> held_ & ((std::uint64_t{1} << count) - 1);
+    }
+
+    std::span<const std::byte> bytes_;
+    std::size_t position_ = 0;
+    std::uint64_t past_ = 0;
+    std::uint64_t hold_ = 0;
+    int held_ = 0;
+    std::array<Run, kFlagClasses> runs_{};
+};
+
+}  // namespace ravel

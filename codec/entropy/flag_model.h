@@ -1,0 +1,75 @@
+// The adaptive probability of a yes/no code and the class it falls into. Encoder and decoder hold the
+// same models and update them alike, in integers.
+//
+// A flag is not arithmetic-coded. Its model says which value is likely and how likely; the class groups
+// models of like certainty, and the flags of a class ("as expected" or "missed") are run-length coded
+// together. The run codes of all classes share one stream of bits, each run standing where the decoder
+// first needs it. [Howard1996] names the scheme interleaved coding; the runs are [Golomb1966] codes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace ravel {
+
+inline constexpr int kFlagClasses = 15;
+
+// A run code of class c is `1` for kRunOf[c] flags as expected, or `0` and the length (below kRunOf[c])
+// of the run before a miss, in truncated binary. kRunOf is the length that has even odds at the
+// middle of the class.
+inline constexpr std::array<std::uint16_t, kFlagClasses> kRunOf{1,  2,  2,  3,   5,   7,   11,  17,
+                                                                26, 43, 69, 121, 231, 462, 1386};
+// Upper bounds of the chance of a miss, in 1/65536, from class 14 (least) down to class 1; above the
+// last is class 0.
+inline constexpr std::array<std::uint16_t, kFlagClasses - 1> kClassBound{
+    65, 131, 262, 491, 819, 1310, 2162, 3276, 4915, 7208, 10485, 14417, 19660, 25559};
+
+namespace detail {
+// Class by the chance of a miss in 1/256, which is exact but for the smallest chances.
+struct ClassTable {
+    std::array<std::uint8_t, 512> fine{};    // chances below 512 / 65536, exactly
+    std::array<std::uint8_t, 129> coarse{};  // chances / 256
+    constexpr ClassTable() {
+        for (unsigned p = 0; p < fine.size(); ++p) fine[p] = of(p);
+        for (unsigned p = 0; p < coarse.size(); ++p) coarse[p] = of(p * 256 + 128);
+    }
+    static constexpr std::uint8_t of(unsigned p) {
+        for (unsigned i = 0; i < kClassBound.size(); ++i)
+            if (p <= kClassBound[i]) return static_cast<std::uint8_t>(kFlagClasses - 1 - i);
+        return 0;
+    }
+};
+inline constexpr ClassTable kClassTable;
+}  // namespace detail
+
+// chance: of "yes", in 1/65536. The step of adaptation is 1 / (seen + 1.5) until it reaches 1/128:
+// fast at first, then a window over the recent past.
+class FlagModel {
+  public:
+    bool likely() const { return chance_ >= 32768; }
+    int flag_class() const {
+        const unsigned miss = likely() ? 65536u - chance_ : chance_;
+        return miss < 512 ? detail::kClassTable.fine[miss] : detail::kClassTable.coarse[miss >> 8];
+    }
+    void update(bool yes) {
+        const std::uint32_t rate = kRate[seen_];
+        if (yes)
+            chance_ += ((65535u - chance_) * rate) >> 16;
+        else
+            chance_ -= (chance_ * rate) >> 16;
+        if (seen_ + 1u < kRate.size()) ++seen_;
+    }
+
+  private:
+    static constexpr std::array<std::uint16_t, 127> kRate = [] {
+        std::array<std::uint16_t, 127> rate{};
+        for (unsigned i = 0; i < rate.size(); ++i)
+            rate[i] = static_cast<std::uint16_t>(65536u * 2 / (2 * i + 3));
+        return rate;
+    }();
+
+    std::uint32_t chance_ = 32768;
+    std::uint32_t seen_ = 0;
+};
+
+}  // namespace ravel

@@ -1,0 +1,52 @@
+#include "entropy/pack.h"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace ravel {
+namespace {
+
+struct FreeContext {
+    void operator()(ZSTD_CCtx* c) const { ZSTD_freeCCtx(c); }
+    void operator()(ZSTD_DCtx* c) const { ZSTD_freeDCtx(c); }
+};
+
+}  // namespace
+
+Bytes pack(std::span<const std::byte> raw, int level) {
+    const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
+    Bytes packed(ZSTD_compressBound(raw.size()));
+    if (!context) return {};
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_contentSizeFlag, 0);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 0);
+    const std::size_t size =
+        ZSTD_compress2(context.get(), packed.data(), packed.size(), raw.data(), raw.size());
+    if (ZSTD_isError(size)) return {};
+    packed.resize(size);
+    return packed;
+}
+
+Result<Bytes> unpack(std::span<const std::byte> packed, std::uint64_t raw_size, std::uint64_t at) {
+    const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
+    if (!context) return Error{Code::limit_exceeded, at, "out of memory while unpacking a section"};
+    Bytes raw(static_cast<std::size_t>(raw_size));
+    const std::size_t size =
+        ZSTD_decompressDCtx(context.get(), raw.data(), raw.size(), packed.data(), packed.size());
+    if (ZSTD_isError(size))
+        return Error{Code::corrupt, at, std::string("a packed section is broken: ") + ZSTD_getErrorName(size)};
+    if (size != raw.size())
+        return Error{Code::corrupt, at, "a packed section holds fewer bytes than its header says"};
+    return raw;
+}
+
+// A block of zstd holds at most 128 KiB and takes at least 4 bytes (a run of one byte).
+std::uint64_t most_unpacked(std::uint64_t packed) {
+    constexpr std::uint64_t kBlock = 128 * 1024;
+    const std::uint64_t blocks = packed / 4 + 1;
+    return blocks > (~std::uint64_t{0}) / kBlock ? ~std::uint64_t{0} : blocks * kBlock;
+}
+
+}  // namespace ravel

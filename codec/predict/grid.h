@@ -1,0 +1,26 @@
+// Positions on an integer grid: point = origin + step * q, in IEEE double, each operation rounded by
+// itself, then rounded to float32 where the mesh has float32. This header is the arithmetic of the
+// decoder; the encoder measures its errors with it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ravel/mesh.h"
+
+namespace ravel {
+
+struct Grid {
+    std::array<double, 3> origin{};
+    double step = 1;
+};
+
+inline double coordinate_of(const Grid& grid, std::size_t axis, std::int64_t q, Scalar scalar) {
+    const double x = grid.origin[axis] + grid.step * static_cast<double>(q);
+    return scalar == Scalar::f32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+// Grid coordinates stay below this, so that predictions can't overflow.
+inline constexpr std::int64_t kMostGrid = std::int64_t{1} << 40;
+
+}  // namespace ravel

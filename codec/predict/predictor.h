@@ -1,0 +1,109 @@
+// Guesses a new vertex from the known vertices around it (the walk's Stencil). Every configuration has
+// a base guess and difference vectors, its features; the guess is base + sum of weight * feature.
+// Weights are fixed-point (1/4096), fitted per file by the encoder or the defaults below.
+// The parallelogram within a polygon is [IsenburgAlliez2002]'s; the fitted weights are ours.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "walk/walk.h"
+
+namespace ravel {
+
+inline constexpr std::size_t kFeatures = 6;
+inline constexpr int kWeightBits = 12;
+
+// One axis of a stencil turned into base and features; all are scaled by `divisor`.
+template <class T>
+struct Features {
+    T base{};
+    std::array<T, kFeatures> feature{};
+};
+
+inline constexpr std::array<std::size_t, static_cast<std::size_t>(Configuration::count)> kFeatureCount{
+    2, 3, 4, 6, 3, 3, 2};
+inline constexpr std::int64_t divisor_of(Configuration c) { return c == Configuration::tet ? 3 : 1; }
+
+using Weights = std::array<std::array<std::int16_t, kFeatures>, static_cast<std::size_t>(Configuration::count)>;
+inline constexpr Weights kDefaultWeights{{
+    {0, 0, 0, 0, 0, 0},
+    {0, 0, 0, 0, 0, 0},
+    {0, 0, 0, 0, 0, 0},
+    {0, 0, 0, 0, 0, 0},
+    {0, 0, 0, 0, 0, 0},
+    {2048, 0, 1024, 0, 0, 0},
+    {2048, 0, 0, 0, 0, 0},
+}};
+
+// `p(i)` is the coordinate of the stencil's i-th vertex; `has(i)` tells whether there is one.
+template <class T, class Point, class Has>
+Features<T> features_of(Configuration configuration, const Point& p, const Has& has) {
+    Features<T> f;
+    auto& t = f.feature;
+    switch (configuration) {
+        case Configuration::seed:
+            if (has(0)) f.base = p(0);
+            if (has(1)) t[0] = p(0) - p(1);
+            if (has(2)) t[1] = p(1) - p(2);
+            break;
+        case Configuration::quad_third:  // b a v_b u_a
+            f.base = p(0) + p(0) - p(2);
+            t[0] = p(0) - p(2);
+            t[1] = p(1) - p(0);
+            t[2] = (p(3) - p(2)) - (p(1) - p(0));
+            break;
+        case Configuration::quad_corner:  // a c b u_a v_b v_c u_b
+            t[4] = (p(1) - p(5)) - (p(2) - p(6));
+            t[5] = p(2) - p(6);
+            [[fallthrough]];
+        case Configuration::quad_fourth:  // a c b u_a v_b
+            f.base = p(0) + p(1) - p(2);
+            t[0] = p(1) - p(2);
+            t[1] = p(0) - p(2);
+            if (has(3) && has(4)) {
+                t[2] = (p(0) - p(3)) - (p(2) - p(4));
+                t[3] = p(2) - p(4);
+            }
+            break;
+        case Configuration::triangle:  // a b u_a v_b
+            f.base = p(0) + p(1) - p(2);
+            t[0] = p(3) - p(2);
+            t[1] = p(0) - p(1);
+            t[2] = p(1) - p(3);
+            break;
+        case Configuration::polygon:  // x w ww z
+            f.base = p(0);
+            t[0] = p(0) - p(1);
+            t[1] = p(1) - p(2);
+            if (has(3)) t[2] = p(3) - p(0);
+            break;
+        case Configuration::tet: {  // x0 x1 x2 o y0 y1 y2
+            f.base = p(0) + p(1) + p(2);
+            t[0] = f.base - (p(3) + p(3) + p(3));
+            t[1] = (p(4) + p(5) + p(6)) - f.base;
+            break;
+        }
+        case Configuration::count: break;
+    }
+    return f;
+}
+
+// Rounds to nearest, halves up. |inputs| < 2^43 can't overflow.
+inline std::int64_t guess(Configuration configuration, const Features<std::int64_t>& f, const Weights& weights) {
+    const auto& w = weights[static_cast<std::size_t>(configuration)];
+    std::int64_t sum = f.base * (std::int64_t{1} << kWeightBits);
+    for (std::size_t i = 0; i < kFeatures; ++i) sum += w[i] * f.feature[i];
+    const std::int64_t scale = divisor_of(configuration) << kWeightBits;
+    const std::int64_t shifted = sum + scale / 2;
+    return shifted >= 0 ? shifted / scale : -((-shifted + scale - 1) / scale);
+}
+
+inline double guess(Configuration configuration, const Features<double>& f, const Weights& weights) {
+    const auto& w = weights[static_cast<std::size_t>(configuration)];
+    double sum = 0;
+    for (std::size_t i = 0; i < kFeatures; ++i) sum += static_cast<double>(w[i]) * f.feature[i];
+    return (f.base + sum / 4096.0) / static_cast<double>(divisor_of(configuration));
+}
+
+}  // namespace ravel

@@ -1,0 +1,91 @@
+// What a walk leaves behind, for surfaces and tets alike, and what it asks of its driver.
+//
+// The walk is one automaton with two drivers. Wherever it needs to know something about the next cell
+// it calls its driver with a context and a question; the encoder's driver answers from the mesh and
+// writes the answer down, the decoder's reads it. Everything else follows from the answers, so both
+// sides hold the same state at every step. A driver has
+//
+//     bool flag(Context, bool truth)              a yes/no code
+//     uint64 number(Context base, uint64 truth)   a number >= 0, kNumberSteps contexts from `base`
+//     void begin_cell(Id gate)                    gate: walk facet the strip comes through, or kNone
+//     void new_vertex(Id vertex, const Stencil&)  a vertex met for the first time
+//     void end_cell(Id cell)                      corners and twins of the cell are now known
+//     bool failed() const                         the decoder's bytes have ended or made no sense
+//
+// and the truths, which the decoder's driver answers with zero: see SurfaceWalk and TetWalk.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/complex.h"
+#include "walk/contexts.h"
+
+namespace ravel {
+
+// The visited part of the complex, cells in order of visit, corners and facets numbered as in Complex.
+// Surface cells start with the corner at which their entry side starts; tets have the entry facet
+// opposite their last corner.
+struct Walked {
+    CellKind kind = CellKind::polygon;
+    std::vector<Id> first{0};
+    std::vector<Id> cell_of;
+    std::vector<Id> vertex;
+    std::vector<Id> twin;               // kNone: border, or not yet met
+    std::vector<Id> gate;               // per cell: the facet of an earlier cell it was entered through
+    std::vector<std::uint8_t> by_link;  // per cell: that step is a link
+    Id vertex_count = 0;
+
+    Id cell_count() const { return static_cast<Id>(first.size() - 1); }
+    Id next_in_cell(Id facet) const {
+        const Id cell = cell_of[facet];
+        return facet + 1 == first[cell + 1] ? first[cell] : facet + 1;
+    }
+    Id prev_in_cell(Id facet) const {
+        const Id cell = cell_of[facet];
+        return facet == first[cell] ? first[cell + 1] - 1 : facet - 1;
+    }
+};
+
+// The known vertices around a new one, in roles that depend on the configuration; kNone where there is
+// none. Predictors weigh them.
+enum class Configuration : std::uint8_t {
+    seed,          // first cell of a component: [previous vertex, the one before, the one before that]
+    quad_third,    // quad, new corner follows b, the last one unknown too: [b, a, v_b, u_a]
+    quad_fourth,   // quad, last corner, third new: [a + c - b ...]: [a, c, b, u_a, v_b]
+    quad_corner,   // quad, last corner, third from a zip: [a, c, b, u_a, v_b, v_c, u_b]
+    triangle,      // [a, b, u_a, v_b]
+    polygon,       // other degrees: [previous corner, the one before, the one before that, next known]
+    tet,           // [x0, x1, x2, o, y0, y1, y2]
+    count,
+};
+inline constexpr std::size_t kStencilSize = 7;
+struct Stencil {
+    Configuration configuration = Configuration::seed;
+    std::array<Id, kStencilSize> at{kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+};
+
+// Limits both sides know before the walk, and what the mesh has none of (so that it costs no codes).
+struct WalkLimits {
+    Id cells = 0;
+    Id corners = 0;
+    Id vertices = 0;
+    Id uniform_degree = 0;  // surfaces: every cell has this degree; 0 where they differ
+    bool has_border = true;
+    std::size_t plausible = kNone;  // no more elements than this are reserved ahead
+};
+
+inline void reserve(Walked& walked, const WalkLimits& limits) {
+    const std::size_t cells = std::min<std::size_t>(limits.cells, limits.plausible);
+    const std::size_t corners = std::min<std::size_t>(limits.corners, limits.plausible);
+    walked.first.reserve(cells + 1);
+    walked.gate.reserve(cells);
+    walked.by_link.reserve(cells);
+    walked.cell_of.reserve(corners);
+    walked.vertex.reserve(corners);
+    walked.twin.reserve(corners);
+}
+
+}  // namespace ravel
