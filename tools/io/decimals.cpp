@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/attributes.h"
+#include "io/text_reader.h"
 
 namespace ravel::io {
 
@@ -33,6 +34,29 @@ Array floats_from_text(std::span<const double> numbers, std::uint32_t arity) {
     std::transform(numbers.begin(), numbers.end(), array.as<float>().begin(),
                    [](double number) { return static_cast<float>(number); });
     return array;
+}
+
+bool TextNumbers::add(std::string_view word) {
+    double real = 0;
+    if (!parse_real(word, real)) return false;
+    std::int64_t integer = 0;
+    constexpr double kExact = 9007199254740992.0;  // 2^53
+    const bool whole = std::abs(real) <= kExact && std::trunc(real) == real &&
+                       !(real == 0 && std::signbit(real));
+    if (integers_.size() == reals_.size()) {
+        if (parse_integer(word, integer) && (whole || integer != 0)) {
+            integers_.push_back(integer);
+        } else if (whole) {
+            integers_.push_back(static_cast<std::int64_t>(real));
+        }
+    }
+    reals_.push_back(real);
+    return true;
+}
+
+Array TextNumbers::take(std::uint32_t arity) const {
+    if (integers_.size() == reals_.size()) return integers_from_text(integers_, arity);
+    return floats_from_text(reals_, arity);
 }
 
 }  // namespace ravel::io

@@ -6,6 +6,8 @@
 #include <concepts>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "ravel/mesh.h"
 
@@ -29,5 +31,18 @@ bool survives_float32(double value);
 
 // One array for numbers read from text: float32 where every number survives it, float64 otherwise.
 Array floats_from_text(std::span<const double> numbers, std::uint32_t arity);
+
+// Numbers whose type the file does not tell: integers where all of them are whole (so that "1" and
+// "1.0" mean the same), floats otherwise.
+class TextNumbers {
+  public:
+    bool add(std::string_view word);  // false when it is no number
+    std::size_t size() const { return reals_.size(); }
+    Array take(std::uint32_t arity) const;
+
+  private:
+    std::vector<double> reals_;
+    std::vector<std::int64_t> integers_;  // as long as all are
+};
 
 }  // namespace ravel::io

@@ -1,0 +1,236 @@
+// MEDIT .mesh as text, writing. Each section comes once, as other programs ask for.
+#include <algorithm>
+
+#include "io/attributes.h"
+#include "io/decimals.h"
+#include "io/file_bytes.h"
+#include "io/formats.h"
+#include "io/left_out.h"
+#include "io/medit_sections.h"
+
+namespace ravel::io {
+
+namespace {
+
+class MeditWriter {
+  public:
+    MeditWriter(const Mesh& mesh, const std::string& path)
+        : mesh_(mesh), path_(path), left_out_(mesh, "MEDIT") {}
+
+    Status write(Sentences* sentences);
+
+  private:
+    const Attribute* references(Place place);
+    void append_reference(const Attribute* attribute, Index element);
+    void append_nodes(std::span<const Index> nodes);
+    void begin_section(std::string_view keyword, Index count);
+    void append_vertices();
+    void append_tets();
+    Status append_polygons();
+    void append_companions();
+    void append_kept();
+
+    const Mesh& mesh_;
+    const std::string& path_;
+    LeftOut left_out_;
+    std::string out_;
+};
+
+const Attribute* MeditWriter::references(Place place) {
+    const Attribute* attribute = find_attribute(mesh_, place, "medit:ref");
+    if (!attribute || attribute->values.arity != 1 || is_float(attribute->values.scalar) ||
+        !attribute->index.empty() || !all_integers(attribute->values))
+        return nullptr;
+    left_out_.take(attribute);
+    return attribute;
+}
+
+void MeditWriter::append_reference(const Attribute* attribute, Index element) {
+    if (attribute) {
+        append_number(out_, attribute->values, element);
+    } else {
+        out_ += '0';
+    }
+    out_ += '\n';
+}
+
+void MeditWriter::append_nodes(std::span<const Index> nodes) {
+    for (const Index node : nodes) {
+        append_number(out_, node + 1);
+        out_ += ' ';
+    }
+}
+
+void MeditWriter::begin_section(std::string_view keyword, Index count) {
+    out_ += keyword;
+    out_ += '\n';
+    append_number(out_, count);
+    out_ += '\n';
+}
+
+void MeditWriter::append_vertices() {
+    const Attribute* refs = references(Place::point);
+    begin_section("Vertices", mesh_.point_count());
+    for (Index p = 0; p < mesh_.point_count(); ++p) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            append_number(out_, mesh_.positions, 3 * p + k);
+            out_ += ' ';
+        }
+        append_reference(refs, p);
+    }
+}
+
+// Tets with edge nodes go to TetrahedraP2, the others to Tetrahedra. A file has the latter first, so
+// hosts in any other order change the order of the tets.
+void MeditWriter::append_tets() {
+    const Attribute* refs = references(Place::cell);
+    const CompanionBlock* middles = nullptr;
+    std::vector<Index> middle_of(mesh_.cell_count(), kNoIndex);
+    for (std::size_t b = 0; b < mesh_.companions.size() && !middles; ++b) {
+        const CompanionBlock& block = mesh_.companions[b];
+        if (block.vtk_type != kQuadraticTet || block.nodes_per_cell != 6 ||
+            block.hosts.size() != block.cell_count)
+            continue;
+        const bool one_each = std::adjacent_find(block.hosts.begin(), block.hosts.end(),
+                                                 std::greater_equal<>()) == block.hosts.end();
+        if (!one_each) continue;
+        middles = &block;
+        left_out_.take_block(b);
+        for (Index i = 0; i < block.cell_count; ++i) middle_of[block.hosts[i]] = i;
+    }
+    const Index quadratic = middles ? middles->cell_count : 0;
+    if (quadratic != 0 && middles->hosts.front() != mesh_.cell_count() - quadratic)
+        left_out_.say("the order of the tets has no place in MEDIT: tets with edge nodes come last");
+    if (quadratic != mesh_.cell_count() || quadratic == 0) {
+        begin_section("Tetrahedra", mesh_.cell_count() - quadratic);
+        for (Index c = 0; c < mesh_.cell_count(); ++c) {
+            if (middle_of[c] != kNoIndex) continue;
+            append_nodes(mesh_.cell(c));
+            append_reference(refs, c);
+        }
+    }
+    if (quadratic == 0) return;
+    begin_section("TetrahedraP2", quadratic);
+    for (Index i = 0; i < quadratic; ++i) {
+        append_nodes(mesh_.cell(middles->hosts[i]));
+        append_nodes({middles->nodes.data() + 6 * i, 6});
+        append_reference(refs, middles->hosts[i]);
+    }
+}
+
+Status MeditWriter::append_polygons() {
+    const Attribute* refs = references(Place::cell);
+    std::vector<std::size_t> sizes;  // in order of first appearance
+    std::size_t changes = 0, last = 0;
+    for (Index c = 0; c < mesh_.cell_count(); ++c) {
+        const std::size_t size = mesh_.cell(c).size();
+        if (size != 3 && size != 4)
+            return cannot_hold(path_, "MEDIT holds triangles and quadrilaterals, and cell " +
+                                          std::to_string(c) + " has " + std::to_string(size) +
+                                          " corners");
+        if (size != last) ++changes;
+        last = size;
+        if (std::find(sizes.begin(), sizes.end(), size) == sizes.end()) sizes.push_back(size);
+    }
+    if (changes > sizes.size())
+        left_out_.say("the order of the cells has no place in MEDIT: triangles and quadrilaterals "
+                      "are apart");
+    for (const std::size_t size : sizes) {
+        Index count = 0;
+        for (Index c = 0; c < mesh_.cell_count(); ++c) count += mesh_.cell(c).size() == size;
+        begin_section(size == 3 ? "Triangles" : "Quadrilaterals", count);
+        for (Index c = 0; c < mesh_.cell_count(); ++c) {
+            if (mesh_.cell(c).size() != size) continue;
+            append_nodes(mesh_.cell(c));
+            append_reference(refs, c);
+        }
+    }
+    return Done{};
+}
+
+void MeditWriter::append_companions() {
+    const Attribute* refs = references(Place::companion);
+    std::vector<const MeditSection*> sections;
+    const auto section_of = [&](const CompanionBlock& block) -> const MeditSection* {
+        if (block.cell_count == 0 || block.vtk_type == kQuadraticTet) return nullptr;
+        for (const MeditSection& section : kMeditSections) {
+            const bool is_cell = mesh_.kind == CellKind::tet ? section.use == MeditUse::tet
+                                                             : section.use != MeditUse::other;
+            if (section.vtk_type == block.vtk_type && section.nodes == block.nodes_per_cell &&
+                !is_cell)
+                return &section;
+        }
+        return nullptr;
+    };
+    for (const CompanionBlock& block : mesh_.companions)
+        if (const MeditSection* section = section_of(block))
+            if (std::find(sections.begin(), sections.end(), section) == sections.end())
+                sections.push_back(section);
+    for (const MeditSection* section : sections) {
+        Index count = 0;
+        for (const CompanionBlock& block : mesh_.companions)
+            if (section_of(block) == section) count += block.cell_count;
+        begin_section(section->keyword, count);
+        Index first = 0;
+        for (std::size_t b = 0; b < mesh_.companions.size(); ++b) {
+            const CompanionBlock& block = mesh_.companions[b];
+            if (section_of(block) == section) {
+                left_out_.take_block(b);
+                for (Index c = 0; c < block.cell_count; ++c) {
+                    append_nodes({block.nodes.data() + c * section->nodes, section->nodes});
+                    append_reference(refs, first + c);
+                }
+            }
+            first += block.cell_count;
+        }
+    }
+}
+
+void MeditWriter::append_kept() {
+    constexpr std::string_view kPrefix = "medit:";
+    for (const Attribute& attribute : mesh_.attributes) {
+        if (attribute.place != Place::mesh || !attribute.name.starts_with(kPrefix)) continue;
+        const std::string keyword = attribute.name.substr(kPrefix.size());
+        const bool is_word = !keyword.empty() && std::all_of(keyword.begin(), keyword.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        });
+        const Array& values = attribute.values;
+        if (!is_word || (!medit_has_count(keyword) && values.count() != 1)) continue;
+        left_out_.take(&attribute);
+        if (medit_has_count(keyword)) {
+            begin_section(keyword, values.count());
+        } else {
+            out_ += keyword + "\n";
+        }
+        for (std::size_t i = 0; i < values.count(); ++i)
+            for (std::uint32_t k = 0; k < values.arity; ++k) {
+                append_number(out_, values, i * values.arity + k);
+                out_ += k + 1 == values.arity ? '\n' : ' ';
+            }
+    }
+}
+
+Status MeditWriter::write(Sentences* sentences) {
+    out_ = mesh_.positions.scalar == Scalar::f32 ? "MeshVersionFormatted 1\nDimension 3\n"
+                                                 : "MeshVersionFormatted 2\nDimension 3\n";
+    append_vertices();
+    if (mesh_.kind == CellKind::tet) {
+        append_tets();
+    } else if (Status status = append_polygons(); !status) {
+        return status;
+    }
+    append_companions();
+    append_kept();
+    out_ += "End\n";
+    left_out_.report(sentences);
+    return write_file(path_, out_);
+}
+
+}  // namespace
+
+Status write_medit(const Mesh& mesh, const std::string& path, const WriteOptions&,
+                   Sentences* left_out) {
+    return MeditWriter(mesh, path).write(left_out);
+}
+
+}  // namespace ravel::io
