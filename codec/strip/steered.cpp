@@ -66,7 +66,7 @@ class Walk {
         for (const Id f : order_) {
             const Id g = complex_.twin[f];
             if (g == kNone || visited_[complex_.cell_of[g]] != 0) continue;
-            const int ways = std::max(ways_[complex_.cell_of[g]], options_.look_ahead);
+            const int ways = std::min(ways_[complex_.cell_of[g]], options_.look_ahead);
             if (best != kNone && ways >= fewest) continue;
             best = f;
             fewest = ways;

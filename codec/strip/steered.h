@@ -6,7 +6,7 @@
 namespace ravel {
 
 struct SteerOptions {
-    int look_ahead = 1;  // a neighbour with fewer ways on than this goes before the rule's choice
+    int look_ahead = 2;  // neighbours with fewer ways on than this go before the rule's choice
 };
 
 // A 2-matching of paths, for `augment` to mend. Linear.
