@@ -159,12 +159,15 @@ Status TetgenReader::nodes() {
     TableReader table(*text, paths_.node);
     std::uint64_t counts[4] = {0, 3, 0, 0};
     if (Status status = table.header(counts, "nodes"); !status) return status;
-    const auto [points, dimension, reals, markers] = counts;
+    const auto [points, dimension, reals, promised_markers] = counts;
     if (dimension != 3)
         return table.error("the nodes have dimension " + std::to_string(dimension) +
                            "; only three dimensions are read");
-    if (reals > text->size() || markers > text->size())
+    if (reals > text->size() || promised_markers > text->size())
         return table.error("the header promises more columns than the file can hold");
+    // TetGen accepts a header that promises markers which the rows don't have.
+    const std::uint64_t markers =
+        table.words_of_first_row() == 4 + reals ? 0 : promised_markers;
     if (Status status = table.check_size(4 + reals + markers); !status) return status;
 
     std::vector<double> positions(3 * points);
@@ -258,12 +261,13 @@ Status TetgenReader::companions(const std::string& path, Companions& kind) {
     TableReader table(*text, path);
     std::uint64_t counts[2] = {0, 0};
     if (Status status = table.header(counts, kind.name + "s"); !status) return status;
-    const auto [cell_count, markers] = counts;
-    if (markers > 1)
-        return table.error("expected 0 or 1 markers, found " + std::to_string(markers));
+    const auto [cell_count, promised_markers] = counts;
+    if (promised_markers > 1)
+        return table.error("expected 0 or 1 markers, found " + std::to_string(promised_markers));
     const std::size_t words = table.words_of_first_row();
-    const bool quadratic = quadratic_ && words >= 1 + kind.quadratic_nodes + markers;
+    const bool quadratic = quadratic_ && words >= 1 + kind.quadratic_nodes;
     const std::uint32_t nodes = quadratic ? kind.quadratic_nodes : kind.nodes;
+    const std::uint64_t markers = words == 1 + nodes ? 0 : promised_markers;
     if (Status status = table.check_size(1 + nodes + markers); !status) return status;
     // More columns name neighbours (of faces: two tets); they are kept as they are.
     const std::size_t more = cell_count != 0 && words > 1 + nodes + markers ? words - 1 - nodes - markers : 0;
