@@ -16,11 +16,6 @@ bool is_polygon(std::uint16_t type) {
     return type == kVtkTriangle || type == kVtkQuad || type == kVtkPolygon || type == kVtkPixel;
 }
 
-CellKind kind_of(const CellList& list) {
-    return std::any_of(list.types.begin(), list.types.end(), is_tet) ? CellKind::tet
-                                                                     : CellKind::polygon;
-}
-
 bool is_main(CellKind kind, std::uint16_t type) {
     return kind == CellKind::tet ? is_tet(type) : is_polygon(type);
 }
@@ -110,6 +105,11 @@ void append_values(const Mesh& mesh, const Attribute* attribute, Place place, Ce
 }
 
 }  // namespace
+
+CellKind kind_of(const CellList& list) {
+    return std::any_of(list.types.begin(), list.types.end(), is_tet) ? CellKind::tet
+                                                                     : CellKind::polygon;
+}
 
 std::vector<Index> mesh_order(const CellList& list) {
     const CellKind kind = kind_of(list);

@@ -38,6 +38,9 @@ struct CellData {
     const Attribute* on_companions = nullptr;
 };
 
+// tet where there is a tet, quadratic or not.
+CellKind kind_of(const CellList& list);
+
 // The list's cells in the order that a Mesh has them: its cells first, then the companions.
 std::vector<Index> mesh_order(const CellList& list);
 
