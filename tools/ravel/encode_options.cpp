@@ -1,0 +1,72 @@
+#include "ravel/encode_options.h"
+
+#include <fmt/format.h>
+
+namespace ravel::tool {
+namespace {
+
+constexpr int kFastLevel = 3;
+
+}  // namespace
+
+void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
+    auto* bits = verb.add_option("--position-bits", flags.position_bits,
+                                 "Positions on a grid of 2^N steps along the longest side")
+                     ->check(CLI::Range(1, 30))
+                     ->type_name("N")
+                     ->group("Positions");
+    auto* error = verb.add_option("--max-error", flags.max_error,
+                                  "Positions on a grid; no coordinate moves by more than E")
+                      ->check(CLI::PositiveNumber)
+                      ->type_name("E")
+                      ->group("Positions");
+    auto* lossless = verb.add_flag("--lossless", flags.lossless,
+                                   "Positions to the last bit (the default)")
+                         ->group("Positions");
+    verb.add_flag("--float32", flags.float32, "Round float64 positions to float32 first")
+        ->excludes(bits)
+        ->excludes(error)
+        ->group("Positions");
+    bits->excludes(error)->excludes(lossless);
+    error->excludes(lossless);
+    verb.add_flag("--keep-order", flags.keep_order,
+                  "Restore the order of points and cells and where each polygon starts")
+        ->group("Connectivity");
+    verb.add_option("--strip-budget", flags.strip_budget,
+                    "Cells that drawing the strip may add, in percent")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->type_name("PERCENT")
+        ->capture_default_str()
+        ->group("Connectivity");
+    auto* level = verb.add_option("--level", flags.level, "zstd's level, 1 to 22 (19 if not given)")
+                      ->check(CLI::Range(1, 22))
+                      ->type_name("L")
+                      ->group("Effort");
+    verb.add_flag("--fast", flags.fast, "Less effort: the same as --level 3 in this version")
+        ->excludes(level)
+        ->group("Effort");
+}
+
+EncodeOptions options_of(const EncodeFlags& flags) {
+    EncodeOptions options;
+    if (flags.position_bits > 0) options.position_bits = flags.position_bits;
+    if (flags.max_error > 0) options.max_error = flags.max_error;
+    options.float32 = flags.float32;
+    options.keep_order = flags.keep_order;
+    options.strip_budget = flags.strip_budget;
+    if (flags.level > 0) options.level = flags.level;
+    if (flags.fast) options.level = kFastLevel;
+    return options;
+}
+
+std::string words_for(const EncodeOptions& options) {
+    std::string words = "lossless";
+    if (options.position_bits) words = fmt::format("{} bits", *options.position_bits);
+    if (options.max_error) words = fmt::format("error <= {:g}", *options.max_error);
+    if (options.float32) words += ", float32";
+    if (options.keep_order) words += ", order kept";
+    if (options.level != EncodeOptions{}.level) words += fmt::format(", level {}", options.level);
+    return words;
+}
+
+}  // namespace ravel::tool

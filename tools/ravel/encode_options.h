@@ -1,0 +1,29 @@
+// The options that encode, verify and compare share.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "ravel/ravel.h"
+
+namespace ravel::tool {
+
+struct EncodeFlags {
+    int position_bits = 0;  // 0: not given
+    double max_error = 0;   // 0: not given
+    bool lossless = false;
+    bool float32 = false;
+    bool keep_order = false;
+    double strip_budget = EncodeOptions{}.strip_budget;
+    bool fast = false;
+    int level = 0;  // 0: not given
+};
+
+void add_encode_flags(CLI::App& verb, EncodeFlags& flags);
+EncodeOptions options_of(const EncodeFlags& flags);
+
+// "14 bits", "error <= 0.001", "lossless", with the other options that differ from their defaults.
+std::string words_for(const EncodeOptions& options);
+
+}  // namespace ravel::tool

@@ -1,0 +1,73 @@
+#include "ravel/strip_of_steps.h"
+
+#include <string>
+
+namespace ravel::tool {
+namespace {
+
+// A flipped cell lists its corners in another order than the mesh does, and so its facets.
+Id facet_of(const Complex& complex, Id cell, std::uint32_t facet) {
+    const Id first = complex.first[cell], degree = complex.degree(cell);
+    if (!complex.flipped[cell]) return first + facet;
+    if (complex.kind == CellKind::tet) return first + (facet < 2 ? facet : 5 - facet);
+    return first + (degree - 1 - facet);
+}
+
+Error misfit(Id cell) {
+    return {Code::corrupt, cell, "the strip's step to cell " + std::to_string(cell) + " leads elsewhere"};
+}
+
+// Glues the loop's last cell back to its first, by a facet no strip uses yet.
+bool close_loop(const Complex& complex, Strip& strip, Id last, Id first) {
+    if (last == first) return false;
+    for (Id f = complex.first[last]; f < complex.first[last + 1]; ++f) {
+        const Id twin = complex.twin[f];
+        if (twin == kNone || complex.cell_of[twin] != first || strip.role[f] != FacetRole::none) continue;
+        strip.role[f] = strip.role[twin] = FacetRole::strip;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Result<Strip> strip_of_steps(const Complex& complex, const std::vector<StripStep>& steps) {
+    const Id cells = complex.cell_count();
+    if (steps.size() != cells) return Error{Code::corrupt, steps.size(), "one step per cell is needed"};
+    Strip strip;
+    strip.role.assign(complex.twin.size(), FacetRole::none);
+    std::vector<Id> last(cells, kNone);   // first cell of a strip -> its last
+    std::vector<Id> start(cells, kNone);  // cell -> first cell of its strip
+    for (Id c = 0; c < cells; ++c) {
+        const StripStep& step = steps[c];
+        if (step.from == kNoIndex) {
+            strip.roots.push_back(c);
+            start[c] = last[c] = c;
+            continue;
+        }
+        if (step.from >= c || step.entry >= complex.degree(c)) return misfit(c);
+        const Id from = static_cast<Id>(step.from);
+        if (step.exit >= complex.degree(from)) return misfit(c);
+        const Id out = facet_of(complex, from, step.exit), in = facet_of(complex, c, step.entry);
+        if (complex.twin[out] != in || strip.role[out] != FacetRole::none) return misfit(c);
+        strip.role[out] = strip.role[in] = step.link ? FacetRole::link : FacetRole::strip;
+        if (step.link) {
+            start[c] = last[c] = c;
+            ++strip.counts.links;
+        } else {
+            start[c] = start[from];
+            last[start[c]] = c;
+        }
+    }
+    for (Id c = 0; c < cells; ++c) {
+        if (start[c] != c) continue;
+        const bool alone = last[c] == c;
+        const bool closed = close_loop(complex, strip, last[c], c);
+        if (!alone && !closed && steps[c].from != kNoIndex) return misfit(c);
+        strip.counts.open_strips += !alone && !closed;
+    }
+    strip.counts.components = strip.counts.strips = strip.roots.size();
+    return strip;
+}
+
+}  // namespace ravel::tool

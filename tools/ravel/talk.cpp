@@ -1,0 +1,39 @@
+#include "ravel/talk.h"
+
+#include <fmt/core.h>
+
+namespace ravel::tool {
+namespace {
+
+bool quiet_flag = false;
+
+}  // namespace
+
+void set_quiet(bool quiet) { quiet_flag = quiet; }
+
+void remark(std::string_view sentence) {
+    if (!quiet_flag) fmt::print(stderr, "ravel: {}\n", sentence);
+}
+
+void remark_each(std::string_view file, const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) remark(fmt::format("{}: {}", file, sentence));
+}
+
+ExitCode complain(std::string_view file, const Error& error) {
+    // Readers of mesh files name file and place themselves.
+    const bool names_file = file.empty() || error.detail.find(file) != std::string::npos;
+    std::string place;
+    const ExitCode code = exit_code_of(error.code);
+    if (code == ExitCode::corrupt && error.code != Code::limit_exceeded)
+        place = fmt::format(" ({}, byte {})", name_of(error.code), error.at);
+    fmt::print(stderr, "ravel: {}{}{}{}\n", names_file ? "" : file, names_file ? "" : ": ",
+               error.detail, place);
+    return code;
+}
+
+ExitCode complain_of_mesh(std::string_view file, const Error& error) {
+    const ExitCode code = complain(file, error);
+    return code == ExitCode::corrupt ? ExitCode::unreadable : code;
+}
+
+}  // namespace ravel::tool
