@@ -1,0 +1,99 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <bit>
+
+#include "graph/augment.h"
+#include "graph/close.h"
+#include "graph/cut.h"
+#include "graph/cycles.h"
+#include "graph/euler.h"
+#include "support/small_graphs.h"
+
+using namespace ravel;
+
+namespace {
+
+std::size_t edges_of(const EdgeSet& set) { return static_cast<std::size_t>(std::count(set.begin(), set.end(), 1)); }
+
+// The most edges a 2-matching can have, by trying all sets.
+std::size_t best_by_force(const Graph& graph) {
+    std::size_t best = 0;
+    for (std::uint32_t bits = 0; bits < (1u << graph.edge_count()); ++bits) {
+        EdgeSet set(graph.edge_count());
+        for (GraphId e = 0; e < graph.edge_count(); ++e) set[e] = bits >> e & 1;
+        const auto degree = degrees_in(graph, set);
+        if (std::all_of(degree.begin(), degree.end(), [](int d) { return d <= 2; }))
+            best = std::max<std::size_t>(best, static_cast<std::size_t>(std::popcount(bits)));
+    }
+    return best;
+}
+
+GraphId paths_in(const Graph& graph, const EdgeSet& set) {
+    const StripList strips = list_strips(graph, set);
+    return static_cast<GraphId>(std::count(strips.shape.begin(), strips.shape.end(), StripShape::path));
+}
+
+}  // namespace
+
+TEST_CASE("augmenting keeps a 2-matching and never loses an edge") {
+    for (const auto& [name, graph] : test::small_graphs()) {
+        INFO(name);
+        for (const EdgeSet& start : {EdgeSet(graph.edge_count(), 0), euler_matching(graph)}) {
+            const EdgeSet set = augment(graph, start);
+            for (const auto degree : degrees_in(graph, set)) CHECK(degree <= 2);
+            CHECK(edges_of(set) >= edges_of(start));
+        }
+    }
+}
+
+TEST_CASE("augmenting from nothing finds a maximum in small graphs") {
+    for (const auto& [name, graph] : test::small_graphs()) {
+        if (graph.edge_count() > 14) continue;
+        INFO(name);
+        CHECK(edges_of(augment(graph, EdgeSet(graph.edge_count(), 0))) == best_by_force(graph));
+    }
+}
+
+TEST_CASE("the paper's graphs without a perfect matching get their 2-factors") {
+    for (const Graph& graph : {test::complete_five(), test::double_triangle()})
+        for (const auto degree : degrees_in(graph, augment(graph, EdgeSet(graph.edge_count(), 0))))
+            CHECK(degree == 2);
+}
+
+TEST_CASE("closing and cutting leave at most one path per connected part") {
+    for (const auto& [name, graph] : test::small_graphs()) {
+        INFO(name);
+        const EdgeSet raised = augment(graph, EdgeSet(graph.edge_count(), 0));
+        for (const EdgeSet& start : {raised, euler_matching(graph)}) {
+            const EdgeSet closed = close_paths(graph, start);
+            for (const auto degree : degrees_in(graph, closed)) CHECK(degree <= 2);
+            CHECK(paths_in(graph, closed) <= paths_in(graph, start));
+            const EdgeSet set = cut_paths(graph, extend_paths(graph, closed));
+            const StripList strips = list_strips(graph, set);
+            const Components parts = find_components(graph);
+            std::vector<int> paths(parts.count, 0);
+            for (GraphId s = 0; s < strips.count(); ++s)
+                if (strips.shape[s] == StripShape::path) ++paths[parts.of[strips.node[strips.first[s]]]];
+            for (const int p : paths) CHECK(p <= 1);
+        }
+    }
+}
+
+TEST_CASE("a path that is its part's last stays open") {
+    const Graph graph = test::path_graph(9);
+    const EdgeSet all(graph.edge_count(), 1);
+    CHECK(cut_paths(graph, close_paths(graph, all)) == all);
+}
+
+TEST_CASE("cutting a path with chords makes the fewest pieces") {
+    // Two paths of a ladder, kept apart by nothing but their own chords: 0-1-2-3 with chord 0-3 is one cycle.
+    const Graph graph = make_graph(9, {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}});
+    EdgeSet set(graph.edge_count(), 1);
+    set[3] = 0;
+    set[4] = 0;
+    const StripList strips = list_strips(graph, cut_paths(graph, set));
+    CHECK(strips.count() == 2);
+    CHECK(strips.shape[strips.of[0]] == StripShape::cycle);
+    CHECK(strips.shape[strips.of[8]] == StripShape::path);
+}
