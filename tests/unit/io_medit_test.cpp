@@ -99,11 +99,12 @@ TEST_CASE("wrong MEDIT files get one line that says where and what", "[io][medit
           "a.mesh:2: the mesh has dimension 2; only three dimensions are read");
     CHECK(error("12 13\n") == "a.mesh:1: expected a keyword of a MEDIT mesh, found '12'");
     CHECK(error(file("Tetrahedra 1\n1 2 3 5 0\n")) ==
-          "a.mesh:9: names vertex 5, but the file has 4");
-    CHECK(error(file("Tetrahedra 1\n1 2 3 0 0\n")).find("a.mesh:9: expected a vertex number") == 0);
+          "a.mesh:10: names vertex 5, but the file has 4");
+    CHECK(error(file("Tetrahedra 1\n1 2 3 0 0\n")).find("a.mesh:10: expected a vertex number") == 0);
     CHECK(error(file("Tetrahedra 2\n1 2 3 4 0\n")).find("more than the file can hold") !=
           std::string::npos);
-    CHECK(error(file("Triangles 2\n1 2 3 0\nTetrahedra 0\nEnd\n")).find("a.mesh:10: expected a vertex") == 0);
+    CHECK(error(file("Triangles 2\n1 2 3 0\nTetrahedra 0\nEnd\n"))
+              .find("a.mesh:11: expected a vertex") == 0);
     CHECK(error(file("Tetrahedra 99999999999999\n")).find("more than the file can hold") !=
           std::string::npos);
     CHECK(error(file("Corners 2\n1\n2\n3\n")).find("promises 2 rows, and has 3 numbers") !=

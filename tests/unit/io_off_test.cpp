@@ -69,7 +69,7 @@ TEST_CASE("wrong OFF files get one line that says where and what", "[io][off]") 
     CHECK(error("OFF\n1 18446744073709551615 0\n").find("a.off:2: ") == 0);
     CHECK(error("OFF\n1 1 0\n0 0 0\n3 0 0 1\n") ==
           "a.off:4: expected a corner of face 1 of 1, from 0 to 0, found '1'");
-    CHECK(error("OFF\n1 1 0\n0 0 0\n3 0 0\n").find("but the file ends") != std::string::npos);
+    CHECK(error("OFF\n1 1 0\n0 0 0\n3 0     0\n").find("but the file ends") != std::string::npos);
     CHECK(error("OFF\n2 0 0\n0 0 0\n1 2 x\n").find("a.off:4: expected a coordinate") == 0);
     CHECK(error("OFF\n1 0 0\n0 0 0\n1 0\n").find("a.off:4: expected the end of the file") == 0);
     CHECK(error("OFF\n1 1 0\n0 0 0\n1 0 1 2\n").find("a.off:4: expected a colour") == 0);

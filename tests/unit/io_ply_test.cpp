@@ -142,7 +142,7 @@ TEST_CASE("wrong PLY files get one line that says where and what", "[io][ply]") 
     CHECK(error(head(vertices(1) + faces(1)) + "0 0 0\n3 0 0 -1\n")
               .find("names vertex -1") != std::string::npos);
     CHECK(error(head(vertices(1)) + "0 0 0 0\n").find("a.ply:8: expected the end of the line") == 0);
-    CHECK(error(head(vertices(2)) + "0 0 0\n0 0\n").find("but the file ends") != std::string::npos);
+    CHECK(error(head(vertices(2)) + "0 0 0\n0.5 0.5\n").find("but the file ends") != std::string::npos);
     CHECK(error(head(vertices(1, "property uchar red\n")) + "0 0 0 256\n")
               .find("expected a number of type uint8, found '256'") != std::string::npos);
     CHECK(error(head("element vertex 18446744073709551615\n" + std::string(kXyz)) + "0 0 0\n")

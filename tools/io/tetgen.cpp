@@ -45,7 +45,7 @@ class TableReader {
 
     Status check_size(std::uint64_t columns) {
         const std::uint64_t left = in_.bytes_left() + 1;
-        if (columns > left || rows_ > left / (2 * columns))
+        if (rows_ != 0 && (columns > left || rows_ > left / (2 * columns)))
             return in_.error("the header promises " + std::to_string(rows_) + " " + what_ +
                              ", more than the file can hold");
         return Done{};
