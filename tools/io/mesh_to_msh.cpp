@@ -319,10 +319,15 @@ void build_data(Building& b) {
 
 void build_sections(Building& b) {
     for (const Note& note : b.mesh.notes) {
-        const std::string kept = b.file.binary ? kGmshBinarySection : kGmshSection;
-        if (!note.key.starts_with(kept)) continue;
-        b.file.sections.push_back({note.key.substr(kept.size()), note.text, b.file.binary});
-        b.left_out.take_notes(note.key);
+        for (const bool binary : {false, true}) {
+            const std::string kept = binary ? kGmshBinarySection : kGmshSection;
+            if (!note.key.starts_with(kept)) continue;
+            // Gmsh's own sections are other bytes in text than in binary files.
+            const std::string name = note.key.substr(kept.size());
+            if (has_binary_form(name) && binary != b.file.binary) continue;
+            b.file.sections.push_back({name, note.text, binary});
+            b.left_out.take_notes(note.key);
+        }
     }
 }
 
@@ -346,6 +351,7 @@ Result<MshFile> mesh_to_msh(const Mesh& mesh, const std::string& path, bool bina
                                      "written");
         }
     }
+    for (std::size_t i = 0; i < mesh.companions.size(); ++i) left_out.take_block(i);
     left_out.take_notes(kGmshNodeOrder);
     Building b{mesh, {}, left_out, join_cell_data(mesh), {}};
     b.file.binary = binary;

@@ -48,7 +48,7 @@ struct MshFile {
     bool version_4 = true;
     bool binary = false;
 
-    Array positions{Scalar::f64, 3, {}};
+    Array positions{Scalar::f64, 3, {}};  // f64 when read, whatever the mesh has when written
     std::vector<Index> node_tags;
     std::vector<std::int32_t> node_dimensions, node_entities;  // version 4
     std::vector<double> parametric;        // three per node that has them
@@ -67,6 +67,9 @@ struct MshFile {
     std::vector<MshSection> sections;  // kept as they are
     std::vector<MshType> types;
 };
+
+// Is the section one of Gmsh's, whose content in binary files is not text?
+bool has_binary_form(const std::string& section);
 
 // Names of what a Mesh keeps of a Gmsh file.
 inline constexpr const char* kGmshVersion = "gmsh:version";  // a note; absent means 4.1

@@ -99,7 +99,7 @@ Status read_nodes_v2(MshInput& in, MshFile& file) {
             reals.push_back(value);
         }
     }
-    file.positions = in.binary ? array_of(reals, 3) : floats_from_text(reals, 3);
+    file.positions = array_of(reals, 3);
     return Done{};
 }
 

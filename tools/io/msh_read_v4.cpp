@@ -99,7 +99,7 @@ Status read_nodes_v4(MshInput& in, MshFile& file) {
         return in.fault("the blocks have " + std::to_string(file.node_tags.size()) +
                         " nodes, but " + std::to_string(totals->count) + " are announced");
     }
-    file.positions = in.binary ? array_of(reals, 3) : floats_from_text(reals, 3);
+    file.positions = array_of(reals, 3);
     return Done{};
 }
 

@@ -58,7 +58,7 @@ Status read_rows(MshInput& in, Index rows, std::uint32_t arity, MshData& data) {
             numbers.push_back(value);
         }
     }
-    data.values = in.binary ? array_of(numbers, arity) : floats_from_text(numbers, arity);
+    data.values = array_of(numbers, arity);
     return Done{};
 }
 
@@ -184,6 +184,15 @@ Status read_data_section(MshInput& in, Place place, MshData& data) {
     return read_rows(in, static_cast<Index>(rows), static_cast<std::uint32_t>(arity), data);
 }
 
+bool has_binary_form(const std::string& section) {
+    for (const char* name :
+         {"Periodic", "PartitionedEntities", "GhostElements", "Parametrizations",
+          "ElementNodeData", "Entities"}) {
+        if (section == name) return true;
+    }
+    return false;
+}
+
 Status read_raw_section(MshInput& in, const std::string& name, MshSection& section) {
     const std::size_t start = in.text.offset();
     const std::string end = "$End" + name;
@@ -195,7 +204,7 @@ Status read_raw_section(MshInput& in, const std::string& name, MshSection& secti
         at = rest.find(end, at + 1);
     }
     if (at == std::string_view::npos) return in.fault("section $" + name + " has no " + end);
-    section = {name, std::string(rest.substr(0, at)), in.binary};
+    section = {name, std::string(rest.substr(0, at)), in.binary && has_binary_form(name)};
     in.text.take(at);
     return Done{};
 }

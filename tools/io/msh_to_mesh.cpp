@@ -121,21 +121,25 @@ void order_rows(MshData& data, std::vector<Index>& index) {
     if (present == index.size()) index.clear();
 }
 
-// The types noted for arrays of one kind of section, taken one after the other by name.
-void apply_types(MshFile& file) {
-    for (const MshType& type : file.types) {
-        if (type.section == "Nodes") file.positions = in_type(file.positions, type.scalar);
+// Everything was read as float64. The type is the one noted for the array; without a note text
+// files tell it by their decimals.
+Array typed(const MshFile& file, std::vector<bool>& used, const std::string& section,
+            const std::string& name, Array values) {
+    for (std::size_t t = 0; t < file.types.size(); ++t) {
+        const MshType& type = file.types[t];
+        if (used[t] || type.section != section || type.name != name) continue;
+        used[t] = true;
+        return in_type(std::move(values), type.scalar);
     }
+    return file.binary ? values : floats_from_text(values.as<double>(), values.arity);
+}
+
+void apply_types(MshFile& file) {
     std::vector<bool> used(file.types.size());
+    file.positions = typed(file, used, "Nodes", "", std::move(file.positions));
     for (MshData& data : file.data) {
         const char* section = data.place == Place::point ? "NodeData" : "ElementData";
-        for (std::size_t t = 0; t < file.types.size(); ++t) {
-            const MshType& type = file.types[t];
-            if (used[t] || type.section != section || type.name != data.name) continue;
-            data.values = in_type(std::move(data.values), type.scalar);
-            used[t] = true;
-            break;
-        }
+        data.values = typed(file, used, section, data.name, std::move(data.values));
     }
 }
 
@@ -169,6 +173,8 @@ std::string gmsh_tag_name(std::size_t slot) {
 
 Scalar type_when_read(const Array& values, bool binary) {
     if (binary) return Scalar::f64;
+    // Each float32 is written as the shortest decimal that is nearest to it.
+    if (values.scalar == Scalar::f32) return Scalar::f32;
     for (std::size_t i = 0; i < values.count() * values.arity; ++i) {
         if (!survives_float32(real_at(values, i))) return Scalar::f64;
     }

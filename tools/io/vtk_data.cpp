@@ -48,6 +48,53 @@ bool is_presence(const NamedArray& array) {
     return array.name.starts_with(kPresentOnPoints) || array.name.starts_with(kPresentOnCells);
 }
 
+Array text_array(const std::string& text) {
+    return array_of(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), 1);
+}
+
+// Notes about VTK files are written where VTK has them; the version of a Gmsh file matters to none.
+bool is_about_files(const std::string& key) {
+    return key.starts_with("vtk:") || key == "gmsh:version";
+}
+
+void gather_words(const Mesh& mesh, LeftOut& left_out, std::vector<NamedArray>& field) {
+    for (const Note& note : mesh.notes) {
+        left_out.take_notes(note.key);
+        if (!is_about_files(note.key)) field.push_back({kNoteArray + note.key, text_array(note.text)});
+    }
+    for (const TagName& tag : mesh.tag_names) {
+        left_out.take_tag_names(tag.attribute);
+        field.push_back({kTagArray + std::to_string(tag.dimension) + ':' +
+                             std::to_string(tag.value) + ':' + tag.attribute,
+                         text_array(tag.name)});
+    }
+}
+
+// Takes a field array that is words; false where it is numbers.
+bool take_words(const NamedArray& array, Mesh& mesh) {
+    if (array.values.scalar != Scalar::u8 || array.values.arity != 1) return false;
+    const std::string text(reinterpret_cast<const char*>(array.values.bytes.data()),
+                           array.values.bytes.size());
+    const std::string_view name = array.name;
+    if (name.starts_with(kNoteArray)) {
+        mesh.notes.push_back({std::string(name.substr(std::string_view(kNoteArray).size())), text});
+        return true;
+    }
+    if (!name.starts_with(kTagArray)) return false;
+    const std::string_view rest = name.substr(std::string_view(kTagArray).size());
+    const std::size_t first = rest.find(':');
+    const std::size_t second = first == rest.npos ? rest.npos : rest.find(':', first + 1);
+    TagName tag;
+    if (second == rest.npos || !parse_integer(rest.substr(0, first), tag.dimension) ||
+        !parse_integer(rest.substr(first + 1, second - first - 1), tag.value)) {
+        return false;
+    }
+    tag.attribute = rest.substr(second + 1);
+    tag.name = text;
+    mesh.tag_names.push_back(std::move(tag));
+    return true;
+}
+
 }  // namespace
 
 VtkData gather_vtk_data(const Mesh& mesh, LeftOut& left_out) {
@@ -73,6 +120,7 @@ VtkData gather_vtk_data(const Mesh& mesh, LeftOut& left_out) {
             data.field.push_back({kPresentOnCells + joined.name, presence(joined.index)});
         }
     }
+    gather_words(mesh, left_out, data.field);
     return data;
 }
 
@@ -88,7 +136,7 @@ void attach_vtk_data(const CellList& cells, VtkData data, Mesh& mesh) {
     }
     split_cells(cells, std::move(on_cells), mesh);
     for (NamedArray& array : data.field) {
-        if (is_presence(array)) continue;
+        if (is_presence(array) || take_words(array, mesh)) continue;
         add_attribute(mesh, array.name, Place::mesh, std::move(array.values));
     }
 }

@@ -28,10 +28,15 @@ struct VtkData {
 inline constexpr const char* kPresentOnPoints = "ravel:present:point:";
 inline constexpr const char* kPresentOnCells = "ravel:present:cell:";
 
+// Notes and names of tags have no place of their own in VTK; they go as field arrays of bytes,
+// "ravel:note:KEY" and "ravel:tag:DIMENSION:VALUE:ATTRIBUTE".
+inline constexpr const char* kNoteArray = "ravel:note:";
+inline constexpr const char* kTagArray = "ravel:tag:";
+
 // The arrays to write for the mesh's attributes; what VTK has no place for stays in `left_out`.
 VtkData gather_vtk_data(const Mesh& mesh, LeftOut& left_out);
 
-// Splits the cells and adds the arrays as attributes. Arrays must have the right tuple counts.
+// Splits the cells, adds the arrays as attributes, and notes and names. Arrays must have the right tuple counts.
 void attach_vtk_data(const CellList& cells, VtkData data, Mesh& mesh);
 
 // Positions from any scalar type; the error tells which of the numbers float64 can't hold.

@@ -195,9 +195,7 @@ Status write_vtk(const Mesh& mesh, const std::string& path, const WriteOptions& 
     if (const auto fault = vtk_fault(*cells, mesh)) return cannot_hold(path, *fault);
 
     LeftOut left_out(mesh, "legacy VTK");
-    for (const char* key : {"vtk:version", "vtk:title", "vtk:dataset", "gmsh:version"}) {
-        left_out.take_notes(key);
-    }
+    for (std::size_t i = 0; i < mesh.companions.size(); ++i) left_out.take_block(i);
     const Note* version = find_note(mesh, "vtk:version");
     const Note* title = find_note(mesh, "vtk:title");
     constexpr Index kMost = Index{1} << 31;  // up to version 4 cells are 32-bit integers

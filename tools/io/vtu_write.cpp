@@ -144,9 +144,7 @@ Status write_vtu_as(const Mesh& mesh, const std::string& path, const VtuOptions&
     if (!cells) return cells.error();
     if (const auto fault = vtk_fault(*cells, mesh)) return cannot_hold(path, *fault);
     LeftOut left_out(mesh, "VTU");
-    for (const char* key : {"vtk:version", "vtk:title", "vtk:dataset", "gmsh:version"}) {
-        left_out.take_notes(key);
-    }
+    for (std::size_t i = 0; i < mesh.companions.size(); ++i) left_out.take_block(i);
     Writing file{options, {}, {}};
     const bool text = options.encoding == VtuEncoding::text;
     file.out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
