@@ -45,7 +45,11 @@ class ByteWriter {
         varint(s.size());
         raw(std::as_bytes(std::span(s.data(), s.size())));
     }
-    void raw(std::span<const std::byte> b) { bytes_.insert(bytes_.end(), b.begin(), b.end()); }
+    void raw(std::span<const std::byte> b) {
+        const std::size_t start = bytes_.size();
+        bytes_.resize(start + b.size());
+        if (!b.empty()) std::memcpy(bytes_.data() + start, b.data(), b.size());
+    }
 
     std::size_t size() const { return bytes_.size(); }
     const Bytes& bytes() const { return bytes_; }

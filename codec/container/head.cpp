@@ -71,7 +71,7 @@ Result<Head> read_head(ByteReader& in) {
         const std::uint64_t arity = in.varint();
         a.tuples = in.varint();
         if ((kind & 7) > static_cast<unsigned>(Place::mesh) || kind >> 4 > static_cast<unsigned>(Scalar::f64) ||
-            arity == 0 || arity > 0xFFFFFFFFu)
+            arity == 0 || arity > kMostArity)
             return bad("an attribute of a kind this version does not know");
         a.place = static_cast<Place>(kind & 7);
         a.indexed = (kind & 8) != 0;

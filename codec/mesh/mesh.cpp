@@ -105,18 +105,14 @@ Status check_attributes(const Mesh& mesh) {
         const Attribute& attribute = mesh.attributes[a];
         const std::string where = "attribute \"" + attribute.name + "\"";
         const Array& values = attribute.values;
-        if (values.arity == 0 || values.bytes.size() % values.stride() != 0)
+        if (values.arity == 0 || values.arity > 65535 || values.bytes.size() % values.stride() != 0)
             return bad(a, where + " has no whole number of tuples");
-        Index elements = 0;
-        switch (attribute.place) {
-            case Place::point: elements = mesh.point_count(); break;
-            case Place::corner: elements = mesh.corners.size(); break;
-            case Place::cell: elements = mesh.cell_count(); break;
-            case Place::companion: elements = mesh.companion_count(); break;
-            case Place::mesh:
-                if (!attribute.index.empty()) return bad(a, where + " is of the mesh and has no index");
-                continue;
+        if (attribute.place == Place::mesh) {
+            if (!attribute.index.empty()) return bad(a, where + " is of the mesh and has no index");
+            continue;
         }
+        const Index elements = element_count(mesh, attribute.place);
+        if (elements == 0) continue;  // a pool that nothing refers to
         const bool indexed = !attribute.index.empty();
         if ((indexed ? attribute.index.size() : values.count()) != elements)
             return bad(a, where + " has not one value per " + name_of(attribute.place));
@@ -128,6 +124,17 @@ Status check_attributes(const Mesh& mesh) {
 }
 
 }  // namespace
+
+Index element_count(const Mesh& mesh, Place place) {
+    switch (place) {
+        case Place::point: return mesh.point_count();
+        case Place::corner: return mesh.corners.size();
+        case Place::cell: return mesh.cell_count();
+        case Place::companion: return mesh.companion_count();
+        case Place::mesh: return 0;
+    }
+    return 0;
+}
 
 Status check_mesh(const Mesh& mesh) {
     const Array& positions = mesh.positions;

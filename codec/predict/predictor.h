@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "walk/walk.h"
+#include "mesh/stencil.h"
 
 namespace ravel {
 

@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "walk/walk.h"
+#include "base/context.h"
+#include "mesh/stencil.h"
 
 namespace ravel {
 

@@ -10,7 +10,7 @@
 // Truths of the driver (about the cell being entered; side and corner numbers count from its entry):
 //     Id degree()                       bool zips(Id side)         is the cell across already visited?
 //     bool is_new(Id corner)            bool border(Id side)       is there no cell across?
-//     Id gap(Id corner)                 front facet that leaves the corner's gap
+//     Id gap(Id corner, bool& arrives)  a front facet of the corner's gap: that leaves it, or arrives at it
 //     bool links_through(Id facet)      bool leaves_through(Id facet)      (of the cell being left)
 #pragma once
 
@@ -144,7 +144,7 @@ class SurfaceWalk {
         walked_.vertex[corner] = v;
         corners_.push_back(0);
         on_border_.push_back(0);
-        driver_.new_vertex(v, stencil);
+        driver_.new_vertex(v, corner - walked_.first[walked_.first.size() - 2], stencil);
         return true;
     }
 
@@ -306,7 +306,9 @@ class SurfaceWalk {
     // end of the zipped chain where that is near, otherwise by the age of the facet.
     Id code_old(Id after, Id before, Id corner) {
         constexpr Id kNear = 64;
-        const Id truth = driver_.gap(corner);
+        bool arrives = false;
+        Id truth = driver_.gap(corner, arrives);
+        if (arrives) truth = next_[truth];
         Id steps = kNone;
         bool backward = false;
         if (truth != kNone) {

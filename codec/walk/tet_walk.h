@@ -135,7 +135,7 @@ class TetWalk {
         const Id v = walked_.vertex_count++;
         walked_.vertex[corner] = v;
         on_border_.push_back(0);
-        driver_.new_vertex(v, stencil);
+        driver_.new_vertex(v, corner - walked_.first[walked_.first.size() - 2], stencil);
         return true;
     }
 

@@ -8,7 +8,7 @@
 //     bool flag(Context, bool truth)              a yes/no code
 //     uint64 number(Context base, uint64 truth)   a number >= 0, kNumberSteps contexts from `base`
 //     void begin_cell(Id gate)                    gate: walk facet the strip comes through, or kNone
-//     void new_vertex(Id vertex, const Stencil&)  a vertex met for the first time
+//     void new_vertex(Id vertex, Id corner, const Stencil&)   met for the first time, at this corner of the cell
 //     void end_cell(Id cell)                      corners and twins of the cell are now known
 //     bool failed() const                         the decoder's bytes have ended or made no sense
 //
@@ -16,11 +16,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "mesh/complex.h"
+#include "mesh/stencil.h"
 #include "walk/contexts.h"
 
 namespace ravel {
@@ -47,24 +47,6 @@ struct Walked {
         const Id cell = cell_of[facet];
         return facet == first[cell] ? first[cell + 1] - 1 : facet - 1;
     }
-};
-
-// The known vertices around a new one, in roles that depend on the configuration; kNone where there is
-// none. Predictors weigh them.
-enum class Configuration : std::uint8_t {
-    seed,          // first cell of a component: [previous vertex, the one before, the one before that]
-    quad_third,    // quad, new corner follows b, the last one unknown too: [b, a, v_b, u_a]
-    quad_fourth,   // quad, last corner, third new: [a + c - b ...]: [a, c, b, u_a, v_b]
-    quad_corner,   // quad, last corner, third from a zip: [a, c, b, u_a, v_b, v_c, u_b]
-    triangle,      // [a, b, u_a, v_b]
-    polygon,       // other degrees: [previous corner, the one before, the one before that, next known]
-    tet,           // [x0, x1, x2, o, y0, y1, y2]
-    count,
-};
-inline constexpr std::size_t kStencilSize = 7;
-struct Stencil {
-    Configuration configuration = Configuration::seed;
-    std::array<Id, kStencilSize> at{kNone, kNone, kNone, kNone, kNone, kNone, kNone};
 };
 
 // Limits both sides know before the walk, and what the mesh has none of (so that it costs no codes).

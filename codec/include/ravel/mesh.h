@@ -24,7 +24,7 @@ inline bool is_float(Scalar s) { return s == Scalar::f32 || s == Scalar::f64; }
 // `count()` tuples of `arity` scalars, little-endian in memory, bit patterns kept (NaN payloads, -0).
 struct Array {
     Scalar scalar = Scalar::f64;
-    std::uint32_t arity = 1;
+    std::uint32_t arity = 1;  // 1..65535
     std::vector<std::byte> bytes;
 
     std::size_t stride() const { return size_of(scalar) * arity; }
@@ -115,6 +115,9 @@ struct Mesh {
         return {corners.data() + corner_begin[c], corners.data() + corner_begin[c + 1]};
     }
 };
+
+// How many elements a place has; 0 for the mesh as a whole.
+Index element_count(const Mesh& mesh, Place place);
 
 // Are the invariants above true? The error names the first cell, companion or attribute that breaks one.
 Status check_mesh(const Mesh& mesh);

@@ -37,7 +37,7 @@ struct EncodeOptions {
 };
 
 // Where the elements of the mesh given to `encode` are in the mesh that `decode` returns.
-struct OrderMaps {
+struct OrderMaps {  // kTetTurns: the 24 permutations of 0 1 2 3 in lexicographic order
     std::vector<Index> point;         // old point -> new point
     std::vector<Index> cell;          // old cell -> new cell
     std::vector<std::uint32_t> turn;  // old cell -> which of its corners the new cell starts with (polygons),
@@ -71,9 +71,11 @@ struct DecodeOptions {
     std::uint64_t memory_limit = std::uint64_t{16} << 30;  // bytes the decoder may allocate in all
 };
 
-// How the strip runs over the decoded mesh, whose cells are in the order of the strip's first visit.
+// How the strip runs over the decoded mesh, in the order of the strip's first visits (which is the order
+// of the cells, unless the file keeps another).
 // Facet f of a polygon is its side from corner f to f+1; facet f of a tet lies opposite corner f.
 struct StripStep {
+    Index cell = 0;               // of the decoded mesh
     Index from = kNoIndex;        // the cell the strip came from; kNoIndex at the start of a component
     std::uint32_t exit = 0;       // facet of `from`
     std::uint32_t entry = 0;      // facet of this cell

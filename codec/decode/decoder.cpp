@@ -1,0 +1,245 @@
+// From a file to a mesh. Every count is checked against the bytes and the memory limit before anything
+// is allocated for it; the walk itself checks every code.
+#include "decode/decoder.h"
+
+#include <cstring>
+#include <string>
+
+#include "decode/file.h"
+#include "decode/payload.h"
+#include "decode/walk_driver.h"
+#include "walk/surface_walk.h"
+#include "walk/tet_walk.h"
+
+namespace ravel {
+namespace {
+
+const Section& section_of(const FileSections& file, SectionId id) {
+    return file.sections[static_cast<std::size_t>(id)];
+}
+
+// The most a block's own arrays can take, from its head alone.
+std::uint64_t memory_of(const FileSections& file) {
+    const BlockHead& b = file.block;
+    const std::uint64_t per_corner = file.head.kind == CellKind::tet ? 48 : 42;
+    const std::uint64_t per_cell = 80, per_vertex = 128;
+    return b.corners * per_corner + b.cells * per_cell + (b.vertices + b.unused_points) * per_vertex;
+}
+
+Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
+    PositionFormat format;
+    format.grid = !head.lossless;
+    format.narrow = head.position_scalar == Scalar::f32;
+    const std::uint8_t flags = in.u8(), fitted = in.u8();
+    format.coarseness = flags & 3;
+    format.has_outliers = (flags & 4) != 0;
+    bool sane = flags < 8 && fitted >> kConfigurations == 0 && (format.grid || !format.has_outliers);
+    for (std::size_t c = 0; c < kConfigurations; ++c)
+        for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {
+            const std::int64_t w = unzigzag(in.varint());
+            sane = sane && w >= -32768 && w <= 32767;
+            format.weights[c][i] = static_cast<std::int16_t>(w);
+        }
+    if (!sane || !in.ok()) return Error{Code::corrupt, in.at(), "the predictor's weights make no sense"};
+    return format;
+}
+
+// Writes coordinates of vertices that are points of their own, then of unused points.
+Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes, const std::vector<Id>& copy_of,
+                   std::size_t points) {
+    Array out = make_array(head.position_scalar, 3, points);
+    const Grid grid{{head.origin[0], head.origin[1], head.origin[2]}, head.step};
+    std::size_t p = 0, next_outlier = 0;
+    const auto store = [&](std::size_t axis, std::uint64_t bits) {
+        if (head.position_scalar == Scalar::f32)
+            out.as<std::uint32_t>()[3 * p + axis] = static_cast<std::uint32_t>(bits);
+        else
+            out.as<std::uint64_t>()[3 * p + axis] = bits;
+    };
+    for (std::size_t v = 0; v < codes.values().size(); ++v) {
+        if (v < copy_of.size() && copy_of[v] != kNone) continue;
+        const bool outlier = !codes.outliers().empty() && codes.outliers()[v];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::uint64_t value = codes.values()[v][axis];
+            if (head.lossless) {
+                store(axis, value);
+            } else if (outlier) {
+                store(axis, codes.outlier_bits()[next_outlier][axis]);
+            } else {
+                const double x =
+                    coordinate_of(grid, axis, static_cast<std::int64_t>(value), head.position_scalar);
+                if (head.position_scalar == Scalar::f32)
+                    out.as<float>()[3 * p + axis] = static_cast<float>(x);
+                else
+                    out.as<double>()[3 * p + axis] = x;
+            }
+        }
+        next_outlier += outlier;
+        ++p;
+    }
+    return out;
+}
+
+// Cells of the walk as cells of the mesh: points instead of vertices, flipped ones turned back.
+void write_cells(const Walked& walked, const std::vector<Id>& point, const std::vector<std::uint8_t>& flipped,
+                 Mesh& mesh) {
+    mesh.corners.resize(walked.vertex.size());
+    if (mesh.kind == CellKind::polygon) {
+        mesh.corner_begin.resize(walked.first.size());
+        for (std::size_t c = 0; c < walked.first.size(); ++c) mesh.corner_begin[c] = walked.first[c];
+    }
+    for (std::size_t i = 0; i < walked.vertex.size(); ++i) mesh.corners[i] = point[walked.vertex[i]];
+    for (std::size_t c = 0; c < flipped.size(); ++c) {
+        if (!flipped[c]) continue;
+        const auto begin = mesh.corners.begin() + walked.first[c], end = mesh.corners.begin() + walked.first[c + 1];
+        if (mesh.kind == CellKind::tet)
+            std::swap(begin[2], begin[3]);
+        else if (begin != end)
+            std::reverse(begin + 1, end);
+    }
+}
+
+template <class Walk>
+Status run_walk(DecodeDriver& driver, const WalkLimits& limits, std::uint64_t at, Walked& out) {
+    Walk walk(driver, limits);
+    if (!walk.run() || driver.failed())
+        return Error{Code::corrupt, at,
+                     "the codes of the strip lead astray at cell " + std::to_string(walk.walked().cell_count())};
+    out = walk.take();
+    return Done{};
+}
+
+Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes& position_bytes, DecodedWalk& out) {
+    const BlockHead& block = file.block;
+    const Section& section = section_of(file, SectionId::positions);
+    ByteReader in(position_bytes, section.at);
+    Result<PositionFormat> format = read_position_format(in, file.head);
+    if (!format) return format.error();
+    FlagDecoder position_bits(in.raw(in.left()));
+    ReadingCoder coder{position_bits};
+    PositionCodes<ReadingCoder> positions(coder, *format);
+
+    WalkLimits limits;
+    limits.cells = static_cast<Id>(block.cells);
+    limits.corners = static_cast<Id>(block.corners);
+    limits.vertices = static_cast<Id>(block.vertices);
+    limits.uniform_degree = static_cast<Id>(block.uniform_degree);
+    limits.has_border = block.has_border;
+    // A flag costs at least 1/1386 bit, and a cell asks for a few.
+    limits.plausible = (codes.size() + 8) * 8 * 1386;
+    const bool tets = file.head.kind == CellKind::tet;
+    DecodeDriver driver(codes, positions, position_bits, tets ? tet::kContexts : surface::kContexts,
+                        tets ? tet::kCopy.base : surface::kCopy.base,
+                        tets ? tet::kCopyOf.base : surface::kCopyOf.base,
+                        tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies, block.has_flips);
+    const std::uint64_t at = section_of(file, SectionId::connectivity).at;
+    Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
+                         : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
+    if (!status) return status.error();
+
+    std::size_t points = 0;
+    out.point.resize(block.vertices);
+    const std::vector<Id>& copy_of = driver.copy_of();
+    for (std::size_t v = 0; v < block.vertices; ++v)
+        out.point[v] = copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(points++) : out.point[copy_of[v]];
+    if (points != block.points) return Error{Code::corrupt, at, "the points are not as many as announced"};
+    for (Index i = 0; i < block.unused_points; ++i) {
+        Stencil stencil;
+        if (block.vertices + i > 0) stencil.at[0] = static_cast<Id>(block.vertices + i - 1);
+        if (!positions.next(stencil, {}, false) || position_bits.exhausted())
+            return Error{Code::corrupt, section.at, "the positions of unused points make no sense"};
+    }
+    if (!driver.finished())
+        return Error{Code::corrupt, at, "connectivity or positions are longer than the walk"};
+    out.flipped = driver.flipped();
+    out.mesh.kind = file.head.kind;
+    out.mesh.positions = positions_of(file.head, positions, copy_of, points + block.unused_points);
+    write_cells(out.walked, out.point, out.flipped, out.mesh);
+    return Done{};
+}
+
+template <class Read>
+Status decode_section(const FileSections& file, SectionId id, std::uint64_t& budget, const Read& read) {
+    const Section& section = section_of(file, id);
+    if (section.id == SectionId::end) return Done{};
+    Result<Bytes> raw = unpack_section(section, budget);
+    if (!raw) return raw.error();
+    ByteReader in(*raw, section.at);
+    return read(in);
+}
+
+}  // namespace
+
+Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options) {
+    Result<FileSections> opened = open_file(bytes);
+    if (!opened) return opened.error();
+    const FileSections& file = *opened;
+    std::uint64_t budget = options.memory_limit;
+    const std::uint64_t need = memory_of(file);
+    if (need > budget)
+        return Error{Code::limit_exceeded, section_of(file, SectionId::block).at,
+                     "the mesh needs up to " + std::to_string(need) + " bytes; the limit is " +
+                         std::to_string(budget)};
+    budget -= need;
+    Result<Bytes> codes = unpack_section(section_of(file, SectionId::connectivity), budget);
+    if (!codes) return codes.error();
+    Result<Bytes> positions = unpack_section(section_of(file, SectionId::positions), budget);
+    if (!positions) return positions.error();
+
+    DecodedWalk out;
+    if (Status status = decode_geometry(file, *codes, *positions, out); !status) return status.error();
+    Mesh& mesh = out.mesh;
+    if ((file.block.companions > 0) != (section_of(file, SectionId::companions).id != SectionId::end) ||
+        file.head.attributes.empty() != (section_of(file, SectionId::attributes).id == SectionId::end))
+        return Error{Code::corrupt, 0, "the heads and the sections contradict each other"};
+    Status status = decode_section(file, SectionId::companions, budget,
+                                   [&](ByteReader& in) { return read_companions(in, file.block, mesh); });
+    if (!status) return status.error();
+    status = decode_section(file, SectionId::attributes, budget,
+                            [&](ByteReader& in) { return read_attributes(in, file.head.attributes, mesh); });
+    if (!status) return status.error();
+    status = decode_section(file, SectionId::names, budget, [&](ByteReader& in) { return read_names(in, mesh); });
+    if (!status) return status.error();
+    out.cell.resize(mesh.cell_count());
+    for (Index c = 0; c < out.cell.size(); ++c) out.cell[c] = c;
+    status = decode_section(file, SectionId::order, budget, [&](ByteReader& in) -> Status {
+        Result<Reorder> order = read_order(in, mesh);
+        if (!order) return order.error();
+        mesh = restore_order(mesh, *order);
+        out.cell = std::move(order->old_cell);
+        out.turn = std::move(order->turn);
+        return Done{};
+    });
+    if (!status) return status.error();
+    return out;
+}
+
+Result<Decoded> decode(std::span<const std::byte> bytes, const DecodeOptions& options) {
+    Result<DecodedWalk> walk = decode_walk(bytes, options);
+    if (!walk) return walk.error();
+    Decoded decoded;
+    decoded.mesh = std::move(walk->mesh);
+    const Walked& walked = walk->walked;
+    // Facets as the mesh numbers them: a flipped cell's sides run backwards, its last corners are swapped;
+    // a kept order turns cells too.
+    const auto local = [&](Id facet) {
+        const Id cell = walked.cell_of[facet], degree = walked.first[cell + 1] - walked.first[cell];
+        Id i = facet - walked.first[cell];
+        if (!walk->flipped.empty() && walk->flipped[cell])
+            i = walked.kind == CellKind::polygon ? degree - 1 - i : i < 2 ? i : 5 - i;
+        return walk->turn.empty() ? i : old_corner(walked.kind, walk->turn[cell], degree, i);
+    };
+    decoded.steps.resize(walked.cell_count());
+    for (Id c = 0; c < walked.cell_count(); ++c) {
+        StripStep& step = decoded.steps[c];
+        step.cell = walk->cell[c];
+        if (walked.gate[c] == kNone) continue;
+        step.from = walk->cell[walked.cell_of[walked.gate[c]]];
+        step.exit = local(walked.gate[c]);
+        step.entry = local(walked.twin[walked.gate[c]]);
+        step.link = walked.by_link[c] != 0;
+    }
+    return decoded;
+}
+
+}  // namespace ravel

@@ -1,0 +1,105 @@
+#include "decode/file.h"
+
+#include <algorithm>
+#include <string>
+
+#include "entropy/pack.h"
+
+namespace ravel {
+
+Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget) {
+    if (Status status = check_section(section); !status) return status.error();
+    if (section.raw_size > budget)
+        return Error{Code::limit_exceeded, section.at,
+                     std::string("section \"") + name_of(section.id) + "\" needs more memory than allowed"};
+    if (section.packed && section.raw_size > most_unpacked(section.bytes.size()))
+        return Error{Code::corrupt, section.at,
+                     std::string("section \"") + name_of(section.id) + "\" can't hold as much as it says"};
+    budget -= section.raw_size;
+    if (!section.packed) return Bytes(section.bytes.begin(), section.bytes.end());
+    return unpack(section.bytes, section.raw_size, section.at);
+}
+
+Result<FileSections> open_file(std::span<const std::byte> bytes) {
+    if (bytes.size() < kMagic.size() + 1 || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
+        return Error{Code::not_a_ravel_file, 0, "this is not a ravel file (its first bytes are not \"Rav1\")"};
+    ByteReader in(bytes);
+    in.raw(kMagic.size());
+    const std::uint8_t version = in.u8();
+    if (version != kVersion)
+        return Error{Code::unsupported_version, kMagic.size(),
+                     "format version " + std::to_string(version) + "; this program reads version " +
+                         std::to_string(kVersion)};
+    FileSections file;
+    file.header_bytes = bytes.size();
+    std::uint8_t last = 0;
+    for (;;) {
+        Result<Section> section = read_section(in);
+        if (!section) return section.error();
+        if (section->id == SectionId::end) break;
+        const auto id = static_cast<std::uint8_t>(section->id);
+        if (id <= last)
+            return Error{Code::corrupt, section->at,
+                         std::string("section \"") + name_of(section->id) + "\" is out of its place"};
+        last = id;
+        if (section->id == SectionId::head || section->id == SectionId::block) {
+            std::uint64_t budget = std::uint64_t{16} << 20;
+            Result<Bytes> raw = unpack_section(*section, budget);
+            if (!raw) return raw.error();
+            ByteReader fields(*raw, section->at);
+            if (section->id == SectionId::head) {
+                Result<Head> head = read_head(fields);
+                if (!head) return head.error();
+                file.head = std::move(*head);
+            } else {
+                Result<BlockHead> block = read_block_head(fields, file.head.kind);
+                if (!block) return block.error();
+                file.block = *block;
+            }
+        } else {
+            file.header_bytes -= section->bytes.size();
+        }
+        file.sections[id] = *section;
+    }
+    if (in.left() != 0)
+        return Error{Code::corrupt, in.at(), std::to_string(in.left()) + " bytes follow the end of the file"};
+    for (const SectionId id : {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
+        if (file.sections[static_cast<std::size_t>(id)].id == SectionId::end)
+            return Error{Code::corrupt, bytes.size(), std::string("section \"") + name_of(id) + "\" is missing"};
+    const bool has_order = file.sections[static_cast<std::size_t>(SectionId::order)].id != SectionId::end;
+    if (has_order != file.head.keeps_order)
+        return Error{Code::corrupt, bytes.size(), "the head and the section \"order\" contradict each other"};
+    return file;
+}
+
+Result<FileInfo> inspect(std::span<const std::byte> bytes) {
+    Result<FileSections> file = open_file(bytes);
+    if (!file) return file.error();
+    const Head& head = file->head;
+    const BlockHead& block = file->block;
+    FileInfo info;
+    info.version = kVersion;
+    info.kind = head.kind;
+    info.points = block.points + block.unused_points;
+    info.cells = block.cells;
+    info.corners = block.corners;
+    info.companions = block.companions;
+    info.components = block.components;
+    info.links = block.links;
+    info.position_scalar = head.position_scalar;
+    info.lossless_positions = head.lossless;
+    info.keeps_order = head.keeps_order;
+    info.position_bits = head.position_bits;
+    info.grid_step = head.lossless ? 0 : head.step;
+    info.position_bound = head.bound;
+    info.position_error = head.error;
+    info.file_bytes = bytes.size();
+    info.header_bytes = file->header_bytes;
+    for (const Section& section : file->sections)
+        if (section.id > SectionId::block)
+            info.sections.push_back({name_of(section.id), section.bytes.size(), section.raw_size});
+    for (const AttributeHead& a : head.attributes) info.attributes.push_back({a.name, a.place, a.scalar, a.arity});
+    return info;
+}
+
+}  // namespace ravel

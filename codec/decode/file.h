@@ -1,0 +1,26 @@
+// The file as sections, found and checked before anything is decoded.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "container/head.h"
+#include "container/sections.h"
+#include "ravel/ravel.h"
+
+namespace ravel {
+
+struct FileSections {
+    Head head;
+    BlockHead block;
+    std::array<Section, kLastSection + 1> sections;  // id `end` where the file has none
+    std::uint64_t header_bytes = 0;                  // all that is not a data section's bytes
+};
+
+// Reads and checks the container and both heads; data sections are found, not unpacked.
+Result<FileSections> open_file(std::span<const std::byte> bytes);
+
+// A section's bytes, checked and unpacked. `budget` is what may still be allocated; it shrinks.
+Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget);
+
+}  // namespace ravel

@@ -1,0 +1,187 @@
+#include "decode/payload.h"
+
+#include <algorithm>
+
+#include "predict/array_planes.h"
+
+namespace ravel {
+namespace {
+
+class DeltaReader {
+  public:
+    explicit DeltaReader(ByteReader& in) : in_(in) {}
+    Index next() { return last_ += static_cast<Index>(unzigzag(in_.varint())); }
+
+  private:
+    ByteReader& in_;
+    Index last_ = 0;
+};
+
+Error corrupt(const ByteReader& in, const char* why) { return {Code::corrupt, in.at(), why}; }
+
+Status check_end(const ByteReader& in) {
+    if (!in.ok()) return corrupt(in, "a section ends before its data do");
+    if (in.left() != 0) return corrupt(in, "a section is longer than its data");
+    return Done{};
+}
+
+}  // namespace
+
+Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
+    const std::uint64_t count = in.varint();
+    if (count != head.companions || count > in.left()) return corrupt(in, "the companions are not as many as announced");
+    const Index points = mesh.point_count(), cells = mesh.cell_count();
+    for (std::uint64_t b = 0; b < count; ++b) {
+        CompanionBlock block;
+        const std::uint64_t type = in.varint(), nodes = in.varint();
+        block.cell_count = in.varint();
+        const std::uint8_t hosts = in.u8();
+        if (!in.ok() || type > 0xFFFF || nodes > 0xFFFFFFFFu || hosts > 1)
+            return corrupt(in, "a companion block of a kind this version does not know");
+        block.vtk_type = static_cast<std::uint16_t>(type);
+        block.nodes_per_cell = static_cast<std::uint32_t>(nodes);
+        // Every node and host takes a byte at least.
+        if ((nodes > 0 && block.cell_count > in.left() / nodes) || (hosts == 1 && block.cell_count > in.left()))
+            return corrupt(in, "a companion block with more cells than there are bytes");
+        if (block.cell_count > kNoIndex / 4 - mesh.companion_count())
+            return corrupt(in, "more companions than can be counted");
+        block.nodes.resize(block.cell_count * nodes);
+        for (std::size_t k = 0; k < nodes; ++k) {
+            DeltaReader column(in);
+            for (std::size_t i = k; i < block.nodes.size(); i += nodes) {
+                block.nodes[i] = column.next();
+                if (block.nodes[i] >= points) return corrupt(in, "a companion names a point that does not exist");
+            }
+        }
+        if (hosts == 1) {
+            block.hosts.resize(block.cell_count);
+            DeltaReader column(in);
+            for (Index& host : block.hosts)
+                if ((host = column.next()) >= cells) return corrupt(in, "a companion names a cell that does not exist");
+        }
+        mesh.companions.push_back(std::move(block));
+    }
+    return check_end(in);
+}
+
+Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, Mesh& mesh) {
+    for (const AttributeHead& head : heads) {
+        Attribute attribute;
+        attribute.name = head.name;
+        attribute.place = head.place;
+        const Index elements = element_count(mesh, head.place);
+        if (head.indexed && head.place != Place::mesh) {
+            if (elements > in.left()) return corrupt(in, "an attribute has fewer indices than elements");
+            attribute.index.resize(elements);
+            DeltaReader index(in);
+            for (Index& i : attribute.index)
+                if ((i = index.next()) != kNoIndex && i >= head.tuples)
+                    return corrupt(in, "an attribute refers to a tuple that does not exist");
+        } else if (head.place != Place::mesh && head.tuples != elements) {
+            return corrupt(in, "an attribute has not one tuple per element");
+        }
+        const std::uint64_t stride = std::uint64_t{head.arity} * size_of(head.scalar);
+        if (head.tuples > in.left() / stride) return corrupt(in, "an attribute has fewer bytes than tuples");
+        attribute.values = array_of_planes(head.scalar, head.arity, in.raw(head.tuples * stride));
+        mesh.attributes.push_back(std::move(attribute));
+    }
+    return check_end(in);
+}
+
+Status read_names(ByteReader& in, Mesh& mesh) {
+    const std::uint64_t names = in.varint();
+    if (names > in.left() / 4) return corrupt(in, "more names than there are bytes");
+    for (std::uint64_t i = 0; i < names && in.ok(); ++i) {
+        TagName name;
+        name.attribute = in.text();
+        const std::int64_t dimension = unzigzag(in.varint());
+        if (dimension < -1 || dimension > 3) return corrupt(in, "a name of a dimension that does not exist");
+        name.dimension = static_cast<std::int32_t>(dimension);
+        name.value = unzigzag(in.varint());
+        name.name = in.text();
+        mesh.tag_names.push_back(std::move(name));
+    }
+    const std::uint64_t notes = in.varint();
+    if (notes > in.left() / 2) return corrupt(in, "more notes than there are bytes");
+    for (std::uint64_t i = 0; i < notes && in.ok(); ++i) {
+        Note note;
+        note.key = in.text();
+        note.text = in.text();
+        mesh.notes.push_back(std::move(note));
+    }
+    return check_end(in);
+}
+
+Result<Reorder> read_order(ByteReader& in, const Mesh& mesh) {
+    Reorder order;
+    const Index points = mesh.point_count(), cells = mesh.cell_count();
+    if (points > in.left() || cells > in.left()) return corrupt(in, "the order has fewer bytes than elements");
+    for (auto [list, count] : {std::pair{&order.old_point, points}, std::pair{&order.old_cell, cells}}) {
+        std::vector<bool> taken(count, false);
+        list->resize(count);
+        DeltaReader delta(in);
+        for (Index& i : *list) {
+            i = delta.next();
+            if (i >= count || taken[i]) return corrupt(in, "the order is no permutation");
+            taken[i] = true;
+        }
+    }
+    order.turn.resize(cells);
+    for (Index c = 0; c < cells; ++c) {
+        const std::uint64_t turn = in.varint();
+        const std::uint64_t most = mesh.kind == CellKind::tet ? 24 : std::max<std::uint64_t>(1, mesh.cell(c).size());
+        if (turn >= most) return corrupt(in, "a cell starts with a corner that it has not");
+        order.turn[c] = static_cast<std::uint32_t>(turn);
+    }
+    if (Status status = check_end(in); !status) return status.error();
+    return order;
+}
+
+Mesh restore_order(const Mesh& mesh, const Reorder& order) {
+    Mesh out;
+    out.kind = mesh.kind;
+    const Index cells = mesh.cell_count();
+    const std::vector<Index> new_point = inverse_of(order.old_point, mesh.point_count());
+    const std::vector<Index> new_cell = inverse_of(order.old_cell, cells);
+    out.positions = gather(mesh.positions, new_point);
+    std::vector<Index> new_corner(mesh.corners.size());  // old corner -> new corner
+    out.corners.resize(mesh.corners.size());
+    if (mesh.kind == CellKind::polygon) out.corner_begin.assign(1, 0);
+    Index begin = 0;
+    for (Index c = 0; c < cells; ++c) {
+        const auto cell = mesh.cell(new_cell[c]);
+        const auto from = static_cast<Index>(cell.data() - mesh.corners.data());
+        const auto degree = static_cast<std::uint32_t>(cell.size());
+        for (std::uint32_t i = 0; i < degree; ++i) {
+            const Index at = begin + old_corner(mesh.kind, order.turn[new_cell[c]], degree, i);
+            out.corners[at] = order.old_point[cell[i]];
+            new_corner[at] = from + i;
+        }
+        begin += degree;
+        if (mesh.kind == CellKind::polygon) out.corner_begin.push_back(begin);
+    }
+    out.companions = mesh.companions;
+    for (CompanionBlock& block : out.companions) {
+        for (Index& node : block.nodes) node = order.old_point[node];
+        for (Index& host : block.hosts) host = order.old_cell[host];
+    }
+    for (const Attribute& attribute : mesh.attributes) {
+        Attribute moved{attribute.name, attribute.place, attribute.values, attribute.index};
+        const std::vector<Index>* from = attribute.place == Place::point    ? &new_point
+                                         : attribute.place == Place::cell   ? &new_cell
+                                         : attribute.place == Place::corner ? &new_corner
+                                                                            : nullptr;
+        if (from != nullptr && !from->empty()) {
+            if (attribute.index.empty())
+                moved.values = gather(attribute.values, *from);
+            else
+                for (std::size_t i = 0; i < moved.index.size(); ++i) moved.index[i] = attribute.index[(*from)[i]];
+        }
+        out.attributes.push_back(std::move(moved));
+    }
+    out.tag_names = mesh.tag_names;
+    out.notes = mesh.notes;
+    return out;
+}
+
+}  // namespace ravel

@@ -1,0 +1,103 @@
+// The decoder's side of the walk: reads the answers, and the position of each new vertex on the way.
+#pragma once
+
+#include <vector>
+
+#include "base/bytes.h"
+#include "entropy/flag_decoder.h"
+#include "mesh/stencil.h"
+#include "predict/position_codes.h"
+#include "walk/walk.h"
+
+namespace ravel {
+
+// Reads flags and plain bits for code_residual.
+struct ReadingCoder {
+    FlagDecoder& in;
+    std::vector<FlagModel> models = std::vector<FlagModel>(ResidualContexts::count);
+    bool flag(Context context, bool) { return in.flag(models[context]); }
+    std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
+};
+
+// The truths, which only the encoder knows, are constants here; they cost nothing once compiled.
+class DecodeDriver {
+  public:
+    DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
+                 const FlagDecoder& position_bits, Context contexts, Context copy, Context copy_number,
+                 Context flip, bool has_copies, bool has_flips)
+        : in_(codes),
+          positions_(positions),
+          position_bits_(position_bits),
+          models_(contexts),
+          copy_(copy),
+          copy_number_(copy_number),
+          flip_(flip),
+          has_copies_(has_copies),
+          has_flips_(has_flips) {}
+
+    bool flag(Context context, bool) { return in_.flag(models_[context]); }
+    std::uint64_t number(Context base, std::uint64_t) {
+        std::uint32_t bits = 1;
+        while (bits < kNumberSteps && flag(base + bits - 1, false)) ++bits;
+        return (std::uint64_t{1} << (bits - 1) | in_.plain(static_cast<int>(bits) - 1)) - 1;
+    }
+    bool failed() const { return bad_ || in_.exhausted() || position_bits_.exhausted(); }
+    bool finished() const { return in_.finished() && position_bits_.finished(); }
+
+    void begin_cell(Id) {}
+    void new_vertex(Id vertex, Id, const Stencil& stencil) {
+        Id of = kNone;
+        if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {
+            const std::int64_t first =
+                static_cast<std::int64_t>(last_copied_ + static_cast<std::uint64_t>(unzigzag(number(copy_number_, 0))));
+            if (first < 0 || first >= static_cast<std::int64_t>(vertex) ||
+                copy_of_[static_cast<std::size_t>(first)] != kNone) {
+                bad_ = true;
+                positions_.next({}, {}, false);
+                copy_of_.push_back(kNone);
+                return;
+            }
+            of = static_cast<Id>(first);
+            last_copied_ = of;
+        }
+        if (has_copies_) copy_of_.push_back(of);
+        if (of != kNone)
+            positions_.copy(of);
+        else if (!positions_.next(stencil, {}, false))
+            bad_ = true;
+    }
+    void end_cell(Id) {
+        if (!has_flips_) return;
+        last_flip_ = flag(flip_ + last_flip_, false);
+        flipped_.push_back(last_flip_);
+    }
+
+    // Per vertex the earlier one at the same point, or kNone; empty where there are no copies.
+    const std::vector<Id>& copy_of() const { return copy_of_; }
+    const std::vector<std::uint8_t>& flipped() const { return flipped_; }
+
+    bool links_through(Id) const { return false; }
+    bool leaves_through(Id) const { return false; }
+    Id degree() const { return 0; }
+    bool zips(Id) const { return false; }
+    bool is_new(Id) const { return false; }
+    Id gap(Id, bool&) const { return kNone; }
+    bool apex_is(Id) const { return false; }
+    Id apex() const { return kNone; }
+    bool glues(Id) const { return false; }
+    bool border(Id) const { return false; }
+
+  private:
+    FlagDecoder in_;
+    PositionCodes<ReadingCoder>& positions_;
+    const FlagDecoder& position_bits_;
+    std::vector<FlagModel> models_;
+    const Context copy_, copy_number_, flip_;
+    const bool has_copies_, has_flips_;
+    std::vector<Id> copy_of_;
+    std::vector<std::uint8_t> flipped_;
+    std::uint64_t last_copied_ = 0;
+    bool last_was_copy_ = false, last_flip_ = false, bad_ = false;
+};
+
+}  // namespace ravel

@@ -1,0 +1,205 @@
+// From a mesh to a file: complex, strip, walk, and the sections one after the other.
+#include <algorithm>
+#include <bit>
+#include <string>
+
+#include "container/head.h"
+#include "container/sections.h"
+#include "encode/payload.h"
+#include "encode/positions.h"
+#include "encode/walk_driver.h"
+#include "entropy/pack.h"
+#include "ravel/ravel.h"
+#include "strip/build.h"
+#include "walk/surface_walk.h"
+#include "walk/tet_walk.h"
+
+namespace ravel {
+namespace {
+
+Status check_options(const EncodeOptions& options) {
+    const auto bad = [](std::string why) { return Error{Code::bad_option, 0, std::move(why)}; };
+    if (options.position_bits && options.max_error)
+        return bad("give position bits or a largest error, not both");
+    if (options.position_bits && (*options.position_bits < 1 || *options.position_bits > 30))
+        return bad("position bits are 1 to 30");
+    if (options.max_error && !(*options.max_error > 0 && *options.max_error < 1e300))
+        return bad("the largest error is a number above 0");
+    if (options.level < 1 || options.level > 22) return bad("the level is 1 to 22");
+    if (!(options.strip_budget >= 0)) return bad("the strip budget is a percentage of at least 0");
+    return Done{};
+}
+
+// Doubles to the nearest floats; a NaN stays one.
+void round_to_float32(Array& positions) {
+    if (positions.scalar != Scalar::f64) return;
+    Array rounded = make_array(Scalar::f32, 3, positions.count());
+    const auto from = positions.as<double>();
+    const auto to = rounded.as<float>();
+    for (std::size_t i = 0; i < from.size(); ++i) to[i] = static_cast<float>(from[i]);
+    positions = std::move(rounded);
+}
+
+WalkLimits limits_of(const Complex& complex) {
+    WalkLimits limits;
+    limits.cells = complex.cell_count();
+    limits.corners = static_cast<Id>(complex.twin.size());
+    limits.vertices = static_cast<Id>(complex.point.size());
+    limits.has_border = std::find(complex.twin.begin(), complex.twin.end(), kNone) != complex.twin.end();
+    if (complex.kind == CellKind::polygon && limits.cells > 0) {
+        limits.uniform_degree = complex.degree(0);
+        for (Id c = 1; c < limits.cells && limits.uniform_degree != 0; ++c)
+            if (complex.degree(c) != limits.uniform_degree) limits.uniform_degree = 0;
+    }
+    return limits;
+}
+
+// Points of the complex in the order of their first vertex on the walk, then the others.
+Reorder reorder_of(const Mesh& mesh, const Complex& complex, const WalkRecord& record) {
+    Reorder order;
+    order.old_point.reserve(mesh.point_count());
+    std::vector<bool> used(mesh.point_count(), false);
+    for (std::size_t v = 0; v < record.vertex_of.size(); ++v)
+        if (record.copy_of[v] == kNone) {
+            const Id p = complex.point[record.vertex_of[v]];
+            order.old_point.push_back(p);
+            used[p] = true;
+        }
+    for (Index p = 0; p < mesh.point_count(); ++p)
+        if (!used[p]) order.old_point.push_back(p);
+
+    std::size_t corner = 0;  // of the walk
+    for (const Id cell : record.cell_of) {
+        const Id degree = complex.degree(cell), first = complex.first[cell];
+        const bool flipped = complex.flipped[cell] != 0;
+        std::uint32_t turn = 0;
+        if (complex.kind == CellKind::tet) {
+            std::array<std::uint8_t, 4> p{};
+            for (std::size_t i = 0; i < 4; ++i) {
+                auto local = static_cast<std::uint8_t>(record.facet_of[corner + i] - first);
+                if (flipped && local >= 2) local = static_cast<std::uint8_t>(5 - local);
+                p[i] = local;
+            }
+            if (flipped) std::swap(p[2], p[3]);
+            turn = number_of_tet_turn(p);
+        } else if (degree > 0) {
+            const Id local = record.facet_of[corner] - first;
+            turn = flipped && local > 0 ? degree - local : local;
+        }
+        corner += degree;
+        order.old_cell.push_back(cell);
+        order.turn.push_back(turn);
+    }
+    return order;
+}
+
+Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& options) {
+    Head head;
+    head.kind = mesh.kind;
+    head.position_scalar = mesh.positions.scalar;
+    head.lossless = !plan.format.grid;
+    head.keeps_order = options.keep_order;
+    head.position_bits = plan.bits;
+    head.step = plan.grid.step;
+    std::copy(plan.grid.origin.begin(), plan.grid.origin.end(), head.origin);
+    head.bound = plan.bound;
+    head.error = plan.error;
+    for (const Attribute& a : mesh.attributes)
+        head.attributes.push_back({a.name, a.place, a.values.scalar, a.values.arity, is_pool(mesh, a),
+                                   a.values.count()});
+    return head;
+}
+
+}  // namespace
+
+Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
+    if (Status status = check_options(options); !status) return status.error();
+    if (Status status = check_mesh(given); !status) return status.error();
+    Mesh rounded;
+    if (options.float32 && given.positions.scalar == Scalar::f64) {
+        rounded = given;
+        round_to_float32(rounded.positions);
+    }
+    const Mesh& mesh = rounded.positions.bytes.empty() ? given : rounded;
+
+    Result<PositionPlan> plan = plan_positions(mesh, options);
+    if (!plan) return plan.error();
+    Result<Complex> built = build_complex(mesh);
+    if (!built) return built.error();
+    const Complex& complex = *built;
+    const Strip strip = build_strip(complex, options.method);
+
+    const WalkLimits limits = limits_of(complex);
+    BlockHead block;
+    block.cells = limits.cells;
+    block.corners = limits.corners;
+    block.vertices = limits.vertices;
+    block.uniform_degree = limits.uniform_degree;
+    block.has_border = limits.has_border;
+    block.has_flips = std::find(complex.flipped.begin(), complex.flipped.end(), 1) != complex.flipped.end();
+    std::vector<bool> used(mesh.point_count(), false);
+    for (const Id p : complex.point) {
+        block.points += !used[p];
+        used[p] = true;
+    }
+    block.has_copies = block.points != block.vertices;
+    block.unused_points = mesh.point_count() - block.points;
+    block.companions = mesh.companions.size();
+    block.components = strip.roots.size();
+    block.links = strip.counts.links;
+
+    WalkRecord record;
+    const auto points = static_cast<Id>(mesh.point_count());
+    if (mesh.kind == CellKind::tet) {
+        TetEncodeDriver driver(complex, strip, points, block.has_copies, block.has_flips);
+        TetWalk<TetEncodeDriver>(driver, limits).run();
+        record = driver.take();
+    } else {
+        SurfaceEncodeDriver driver(complex, strip, points, block.has_copies, block.has_flips);
+        SurfaceWalk<SurfaceEncodeDriver>(driver, limits).run();
+        record = driver.take();
+    }
+
+    const Reorder order = reorder_of(mesh, complex, record);
+    Encoded encoded;
+    encoded.strip = strip.counts;
+    encoded.position_bound = plan->bound;
+    encoded.position_error = plan->error;
+    if (options.keep_order) {
+        encoded.order.point.resize(order.old_point.size());
+        encoded.order.cell.resize(order.old_cell.size());
+        for (Index i = 0; i < order.old_point.size(); ++i) encoded.order.point[i] = i;
+        for (Index i = 0; i < order.old_cell.size(); ++i) encoded.order.cell[i] = i;
+        encoded.order.turn.assign(order.old_cell.size(), 0);
+    } else {
+        encoded.order.point = inverse_of(order.old_point, mesh.point_count());
+        encoded.order.cell = inverse_of(order.old_cell, mesh.cell_count());
+        encoded.order.turn.resize(order.turn.size());
+        for (Index i = 0; i < order.turn.size(); ++i) encoded.order.turn[order.old_cell[i]] = order.turn[i];
+    }
+
+    ByteWriter out;
+    out.raw(kMagic);
+    out.u8(kVersion);
+    const auto section = [&](SectionId id, const Bytes& raw) {
+        write_section(out, id, raw, pack(raw, options.level));
+    };
+    section(SectionId::head, write_head(head_of(mesh, *plan, options)));
+    section(SectionId::block, write_block_head(block, mesh.kind));
+    section(SectionId::connectivity, record.codes.finish());
+    const std::vector<Index> unused(order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points),
+                                    order.old_point.end());
+    section(SectionId::positions, write_positions(*plan, complex, record, unused));
+    if (!mesh.companions.empty())
+        section(SectionId::companions,
+                write_companions(mesh, inverse_of(order.old_point, mesh.point_count()),
+                                 inverse_of(order.old_cell, mesh.cell_count())));
+    if (!mesh.attributes.empty()) section(SectionId::attributes, write_attributes(mesh, order));
+    if (!mesh.tag_names.empty() || !mesh.notes.empty()) section(SectionId::names, write_names(mesh));
+    if (options.keep_order) section(SectionId::order, write_order(order));
+    out.u8(static_cast<std::uint8_t>(SectionId::end));
+    encoded.bytes = out.take();
+    return encoded;
+}
+
+}  // namespace ravel

@@ -1,0 +1,17 @@
+// The sections beside connectivity and positions, in the strip's order.
+#pragma once
+
+#include "base/bytes.h"
+#include "mesh/reorder.h"
+
+namespace ravel {
+
+// Are the values a pool that elements refer to by index?
+bool is_pool(const Mesh& mesh, const Attribute& attribute);
+
+Bytes write_companions(const Mesh& mesh, const std::vector<Index>& new_point, const std::vector<Index>& new_cell);
+Bytes write_attributes(const Mesh& mesh, const Reorder& order);
+Bytes write_names(const Mesh& mesh);
+Bytes write_order(const Reorder& order);
+
+}  // namespace ravel

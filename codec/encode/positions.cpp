@@ -1,0 +1,194 @@
+#include "encode/positions.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "encode/fit.h"
+
+namespace ravel {
+namespace {
+
+double value_at(const Array& positions, std::size_t i) {
+    return positions.scalar == Scalar::f32 ? static_cast<double>(positions.as<float>()[i])
+                                           : positions.as<double>()[i];
+}
+
+std::uint64_t bits_at(const Array& positions, std::size_t i) {
+    return positions.scalar == Scalar::f32 ? std::uint64_t{positions.as<std::uint32_t>()[i]}
+                                           : positions.as<std::uint64_t>()[i];
+}
+
+struct Box {
+    std::array<double, 3> low{}, high{};
+    double longest = 0, farthest = 0;  // side; largest absolute coordinate
+};
+
+bool finite_point(const Array& positions, std::size_t p) {
+    return std::isfinite(value_at(positions, 3 * p)) && std::isfinite(value_at(positions, 3 * p + 1)) &&
+           std::isfinite(value_at(positions, 3 * p + 2));
+}
+
+Box box_of(const Array& positions, std::size_t points) {
+    Box box;
+    bool any = false;
+    for (std::size_t p = 0; p < points; ++p) {
+        if (!finite_point(positions, p)) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            box.low[axis] = any ? std::min(box.low[axis], x) : x;
+            box.high[axis] = any ? std::max(box.high[axis], x) : x;
+            box.farthest = std::max(box.farthest, std::abs(x));
+        }
+        any = true;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        box.longest = std::max(box.longest, box.high[axis] - box.low[axis]);
+    return box;
+}
+
+// Puts every point on the grid; those that miss `bound` become outliers.
+void place_on_grid(const Array& positions, PositionPlan& plan) {
+    const std::size_t points = positions.count();
+    plan.error = 0;
+    std::size_t outliers = 0;
+    for (std::size_t p = 0; p < points; ++p) {
+        bool fits = finite_point(positions, p);
+        double error = 0;
+        for (std::size_t axis = 0; axis < 3 && fits; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            const double q = std::floor((x - plan.grid.origin[axis]) / plan.grid.step + 0.5);
+            fits = std::abs(q) < static_cast<double>(kMostGrid);
+            if (!fits) break;
+            plan.values[p][axis] = static_cast<std::uint64_t>(static_cast<std::int64_t>(q));
+            error = std::max(error, std::abs(coordinate_of(plan.grid, axis, static_cast<std::int64_t>(q),
+                                                           positions.scalar) -
+                                             x));
+        }
+        fits = fits && error <= plan.bound;
+        plan.outlier[p] = !fits;
+        if (fits) {
+            plan.error = std::max(plan.error, error);
+        } else {
+            ++outliers;
+            for (std::size_t axis = 0; axis < 3; ++axis) plan.values[p][axis] = bits_at(positions, 3 * p + axis);
+        }
+    }
+    plan.format.has_outliers = outliers > 0;
+}
+
+// Writes flags and bits into a FlagEncoder, for code_residual.
+struct WritingCoder {
+    FlagEncoder& out;
+    std::vector<FlagModel> models = std::vector<FlagModel>(ResidualContexts::count);
+    bool flag(Context context, bool truth) {
+        out.flag(models[context], truth);
+        return truth;
+    }
+    std::uint64_t plain(std::uint64_t truth, int count) {
+        out.plain(truth, count);
+        return truth;
+    }
+};
+
+}  // namespace
+
+Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options) {
+    const Array& positions = mesh.positions;
+    const std::size_t points = positions.count();
+    PositionPlan plan;
+    plan.format.narrow = positions.scalar == Scalar::f32;
+    plan.values.resize(points);
+    if (!options.position_bits && !options.max_error) {
+        for (std::size_t p = 0; p < points; ++p)
+            for (std::size_t axis = 0; axis < 3; ++axis) plan.values[p][axis] = bits_at(positions, 3 * p + axis);
+        return plan;
+    }
+    plan.format.grid = true;
+    plan.outlier.assign(points, false);
+    const Box box = box_of(positions, points);
+    plan.grid.origin = box.low;
+    const double longest = std::isfinite(box.longest) ? box.longest : 0;
+    if (options.position_bits) {
+        const double cells = std::ldexp(1.0, *options.position_bits) - 1;
+        plan.grid.step = longest / cells;
+        if (!(plan.grid.step > 0) || !std::isfinite(plan.grid.step)) plan.grid.step = 1;
+        plan.bits = static_cast<std::uint8_t>(*options.position_bits);
+        // Half a step, and what rounding to the mesh's floats can add.
+        plan.bound = plan.grid.step / 2 +
+                     box.farthest * (plan.format.narrow ? 0x1p-23 : 0x1p-51);
+        place_on_grid(positions, plan);
+    } else {
+        plan.bound = *options.max_error;
+        plan.grid.step = 2 * plan.bound;
+        if (longest / plan.grid.step >= static_cast<double>(kMostGrid))
+            return Error{Code::bad_option, 0,
+                         "the largest error asked for is too small for a grid over this mesh; leave it out to "
+                         "store positions exactly"};
+        place_on_grid(positions, plan);
+        // Rounding may push points over the bound; a slightly finer grid leaves room for it.
+        for (int attempt = 0; attempt < 3 && plan.format.has_outliers; ++attempt) {
+            plan.grid.step *= 1 - std::ldexp(1.0, -12 + 4 * attempt);
+            place_on_grid(positions, plan);
+        }
+        plan.bits = static_cast<std::uint8_t>(
+            std::bit_width(static_cast<std::uint64_t>(std::ceil(longest / plan.grid.step))));
+    }
+    if (!plan.format.has_outliers) plan.outlier.clear();
+    return plan;
+}
+
+Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
+                      const std::vector<Index>& unused) {
+    const std::size_t vertices = record.vertex_of.size();
+    const auto point_of = [&](std::size_t v) { return complex.point[record.vertex_of[v]]; };
+    std::vector<std::array<double, 3>> coordinates(vertices);
+    std::vector<bool> skip(vertices, false);
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const std::size_t p = point_of(v);
+        skip[v] = record.copy_of[v] != kNone || (!plan.outlier.empty() && plan.outlier[p]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::uint64_t bits = plan.values[p][axis];
+            coordinates[v][axis] =
+                plan.format.grid ? (skip[v] ? 0 : static_cast<double>(static_cast<std::int64_t>(bits)))
+                : plan.format.narrow
+                    ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
+                    : std::bit_cast<double>(bits);
+        }
+    }
+    plan.format.weights = fit_weights(record.stencils, coordinates, skip);
+    plan.format.coarseness = vertices < 400 ? 2 : vertices < 3000 ? 1 : 0;
+
+    ByteWriter out;
+    unsigned fitted = 0;
+    for (std::size_t c = 0; c < kConfigurations; ++c)
+        if (plan.format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
+    out.u8(static_cast<std::uint8_t>(plan.format.coarseness | (plan.format.has_outliers ? 4 : 0)));
+    out.u8(static_cast<std::uint8_t>(fitted));
+    for (std::size_t c = 0; c < kConfigurations; ++c)
+        for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
+            out.varint(zigzag(plan.format.weights[c][i]));
+
+    FlagEncoder bits;
+    WritingCoder coder{bits};
+    PositionCodes<WritingCoder> codes(coder, plan.format);
+    codes.reserve(vertices + unused.size());
+    const auto code = [&](std::size_t p, const Stencil& stencil) {
+        codes.next(stencil, plan.values[p], !plan.outlier.empty() && plan.outlier[p]);
+    };
+    for (std::size_t v = 0; v < vertices; ++v) {
+        if (record.copy_of[v] != kNone)
+            codes.copy(record.copy_of[v]);
+        else
+            code(point_of(v), record.stencils[v]);
+    }
+    for (std::size_t i = 0; i < unused.size(); ++i) {
+        Stencil stencil;
+        if (vertices + i > 0) stencil.at[0] = static_cast<Id>(vertices + i - 1);
+        code(unused[i], stencil);
+    }
+    out.raw(bits.finish());
+    return out.take();
+}
+
+}  // namespace ravel

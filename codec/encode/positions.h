@@ -1,0 +1,28 @@
+// The section `positions`: chooses the grid, measures its error, writes residuals along the walk.
+#pragma once
+
+#include "encode/walk_driver.h"
+#include "predict/position_codes.h"
+#include "ravel/ravel.h"
+
+namespace ravel {
+
+// Per point of the mesh what is to be coded.
+struct PositionPlan {
+    PositionFormat format;
+    Grid grid;
+    std::uint8_t bits = 0;            // of the longest side
+    std::vector<Position> values;     // grid coordinates, or bits of the floats
+    std::vector<bool> outlier;        // grid: stored bit for bit; empty where there are none
+    double bound = 0, error = 0;
+};
+
+// Chooses the grid that the options ask for; points whose coordinates are not finite, or which a grid
+// can't bring within max_error, are outliers. Error: a grid finer than can be held.
+Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
+
+// `order`: unused points, in the order they are appended.
+Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
+                      const std::vector<Index>& unused);
+
+}  // namespace ravel

@@ -1,0 +1,37 @@
+// The order a walk gives to points and cells, seen from both sides, and what it does to corners.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ravel/mesh.h"
+
+namespace ravel {
+
+// New is the strip's order, old the order of the mesh that was encoded.
+struct Reorder {
+    std::vector<Index> old_point;      // new point -> old point
+    std::vector<Index> old_cell;       // new cell -> old cell
+    std::vector<std::uint32_t> turn;   // new cell -> polygons: the old corner it starts with; tets: its
+                                       // permutation, the number of (old corner of new corner 0, 1, 2, 3)
+};
+
+// Permutations of 0 1 2 3 in lexicographic order.
+std::array<std::uint8_t, 4> tet_turn(std::uint32_t number);
+std::uint32_t number_of_tet_turn(const std::array<std::uint8_t, 4>& permutation);
+
+// Old corner (within its cell of `degree` corners) that is new corner `i`.
+inline std::uint32_t old_corner(CellKind kind, std::uint32_t turn, std::uint32_t degree, std::uint32_t i) {
+    if (kind == CellKind::tet) return tet_turn(turn)[i];
+    const std::uint64_t j = std::uint64_t{turn} + i;
+    return static_cast<std::uint32_t>(j < degree ? j : j - degree);
+}
+
+// from[new] = old turned round; `count` is the size of the old side.
+std::vector<Index> inverse_of(const std::vector<Index>& from, Index count);
+
+// Tuple i of the result is tuple from[i] of `array`.
+Array gather(const Array& array, const std::vector<Index>& from);
+
+}  // namespace ravel
