@@ -18,10 +18,11 @@
 namespace ravel {
 
 Strip build_strip(const Complex& complex, FactorMethod method) {
-    const Dual dual = make_dual(complex);
+    const Steered walk = steer(complex);
+    const Dual dual = make_dual(complex, walk.order);
     const Graph& graph = dual.graph;
     EdgeSet set = augment(graph, method == FactorMethod::euler ? euler_matching(graph)
-                                                               : steer(complex, dual));
+                                                               : paths_of(walk, dual));
     StripCounts factor;
     {
         const StripList strips = list_strips(graph, set);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "graph/cycles.h"
 #include "graph/union_find.h"
@@ -24,6 +25,15 @@ std::size_t price_of(const Complex& complex, Id facet) {
         price += std::min<std::size_t>(degree, kPrices);
     }
     return std::min(price - 6, kPrices - 2);
+}
+
+// The lower end of a path, the lowest cell of another strip.
+Id root_of(const Dual& dual, const StripList& strips, GraphId strip) {
+    const GraphId begin = strips.first[strip], end = strips.first[strip + 1];
+    Id root = dual.cell_of[strips.node[begin]];
+    if (strips.shape[strip] == StripShape::path) return std::min(root, dual.cell_of[strips.node[end - 1]]);
+    for (GraphId i = begin; i < end; ++i) root = std::min(root, dual.cell_of[strips.node[i]]);
+    return root;
 }
 
 }  // namespace
@@ -69,10 +79,20 @@ Strip link_strips(const Complex& complex, const Dual& dual, const EdgeSet& set) 
     }
     strip.counts.components = parts.count;
     strip.counts.strips = parts.count;
+    // Components are told apart by their lowest cells.
+    std::vector<Id> lowest(parts.count, kNone), roots;
+    for (GraphId n = 0; n < dual.graph.node_count(); ++n) {
+        Id& cell = lowest[parts.of[n]];
+        cell = std::min(cell, dual.cell_of[n]);
+    }
     for (const GraphId s : first_strip) {
-        strip.roots.push_back(strips.node[strips.first[s]]);
+        roots.push_back(root_of(dual, strips, s));
         strip.counts.open_strips += strips.shape[s] == StripShape::path;
     }
+    std::vector<GraphId> order(parts.count);
+    std::iota(order.begin(), order.end(), GraphId{0});
+    std::sort(order.begin(), order.end(), [&](GraphId a, GraphId b) { return lowest[a] < lowest[b]; });
+    for (const GraphId part : order) strip.roots.push_back(roots[part]);
     return strip;
 }
 

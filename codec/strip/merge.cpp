@@ -78,7 +78,7 @@ class Merger {
         std::uint64_t total = 0;
         for (int pass = 0; pass < kMaxPasses; ++pass) {
             std::uint64_t merges = 0;
-            for (Id cell = 0; cell < complex_.cell_count(); ++cell) merges += merge_at(cell);
+            for (GraphId node = 0; node < dual_.graph.node_count(); ++node) merges += merge_at(node);
             total += merges;
             total += absorb_at_path_ends();
             if (merges == 0) break;
@@ -87,14 +87,16 @@ class Merger {
     }
 
   private:
-    GraphId strip_of(Id cell) { return sets_.find(strips_.of[cell]); }
+    GraphId strip_of(GraphId node) { return sets_.find(strips_.of[node]); }
+    GraphId strip_at(Id facet) { return strip_of(dual_.node_of[complex_.cell_of[facet]]); }
 
-    bool in_majority(Id cell) {
-        return 2 * std::uint64_t{sets_.size(strips_.of[cell])} > part_size_[parts_.of[cell]];
+    bool in_majority(GraphId node) {
+        return 2 * std::uint64_t{sets_.size(strips_.of[node])} > part_size_[parts_.of[node]];
     }
 
-    std::uint64_t merge_at(Id cell) {
-        if (in_majority(cell)) return 0;
+    std::uint64_t merge_at(GraphId node) {
+        if (in_majority(node)) return 0;
+        const Id cell = dual_.cell_of[node];
         std::uint64_t merges = 0;
         for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f) {
             if (complex_.kind == CellKind::polygon) {
@@ -128,7 +130,7 @@ class Merger {
         int paths = 0;
         for (const Id f : fan_) {
             if (!is_strip(f)) continue;
-            const GraphId strip = strip_of(complex_.cell_of[f]);
+            const GraphId strip = strip_at(f);
             for (const GraphId other : found_)
                 if (other == strip) return false;
             found_.push_back(strip);
@@ -145,22 +147,22 @@ class Merger {
     std::uint64_t absorb_at_path_ends() {
         std::uint64_t count = 0;
         const std::vector<std::uint8_t> degree = degrees_in(dual_.graph, set_);
-        for (Id start = 0; start < complex_.cell_count(); ++start) {
+        for (GraphId start = 0; start < dual_.graph.node_count(); ++start) {
             if (degree[start] != 1) continue;
-            for (Id end = start; end != kNone;) {
+            for (GraphId end = start; end != kNoGraphId;) {
                 end = absorb(end);
-                if (end != kNone) ++count;
+                if (end != kNoGraphId) ++count;
             }
         }
         return count;
     }
 
-    Id absorb(Id end) {
+    GraphId absorb(GraphId end) {
         const GraphId own = strip_of(end);
         for (const Arc& out : dual_.graph.at(end)) {
             const GraphId other = strip_of(out.to);
             if (other == own || open_[other] != 0) continue;
-            Id next = out.to;  // a singleton becomes the end itself
+            GraphId next = out.to;  // a singleton becomes the end itself
             for (const Arc& arc : dual_.graph.at(out.to)) {
                 if (set_[arc.edge] == 0) continue;
                 set_[arc.edge] = 0;
@@ -172,7 +174,7 @@ class Merger {
             open_[sets_.find(own)] = 1;
             return next;
         }
-        return kNone;
+        return kNoGraphId;
     }
 
     const Complex& complex_;

@@ -1,7 +1,7 @@
 // Walks the mesh by the walker's own rule (mesh/exit_rule.h): into the first unvisited neighbour in exit
 // order. At a dead end the walk resumes at the last visited cell that still has an unvisited neighbour, with a
-// new path. A neighbour that would be cut off by passing it goes first, as in Warnsdorff's rule [Pohl1967]: most dead
-// ends are such pockets of one cell.
+// new path. A neighbour with at most one way on goes first, as in Warnsdorff's rule [Pohl1967]: passed by, it would
+// be a dead end or a pocket of one cell.
 // Cost: linear in facets.
 #include "strip/steered.h"
 
@@ -15,58 +15,71 @@ namespace {
 
 class Walk {
   public:
-    Walk(const Complex& complex, const Dual& dual, const SteerOptions& options)
-        : complex_(complex), dual_(dual), options_(options), set_(dual.graph.edge_count(), 0),
-          entry_(complex.cell_count(), kNone), ways_(complex.cell_count(), 0) {
+    Walk(const Complex& complex, const SteerOptions& options)
+        : complex_(complex), options_(options), cells_(complex.cell_count()) {
         for (Id f = 0; f < complex.twin.size(); ++f)
-            if (complex.twin[f] != kNone) ++ways_[complex.cell_of[f]];
+            if (complex.twin[f] != kNone) ++cells_[cell_of(f)].ways;
+        walk_.order.reserve(cells_.size());
+        walk_.came_by.reserve(cells_.size());
     }
 
-    EdgeSet run() {
-        visited_.assign(complex_.cell_count(), 0);
+    Steered run() {
         for (Id seed = 0; seed < complex_.cell_count(); ++seed) {
-            if (visited_[seed] != 0) continue;
-            visit(seed, kNone);
-            while (!trail_.empty()) {
+            if (cells_[seed].entry != kUnvisited) continue;
+            visit(seed, kNone, kNone);
+            // The top of the trail is the head of a path until it proves a dead end.
+            for (bool head = true; !trail_.empty();) {
                 const Id exit = choose(trail_.back());
                 if (exit == kNone) {
                     trail_.pop_back();
-                    fresh_ = false;
+                    head = false;
                     continue;
                 }
-                // Resuming starts a path; going on from the head of one makes it longer.
-                if (fresh_) set_[dual_.edge_of[exit]] = 1;
                 const Id entry = complex_.twin[exit];
-                visit(complex_.cell_of[entry], entry);
+                visit(cell_of(entry), entry, head ? exit : kNone);
+                head = true;
             }
         }
-        return std::move(set_);
+        return std::move(walk_);
     }
 
   private:
-    void visit(Id cell, Id entry) {
-        visited_[cell] = 1;
-        entry_[cell] = entry;
+    static constexpr Id kUnvisited = kNone - 1;
+    struct Cell {
+        Id entry = kUnvisited;
+        Id ways = 0;  // facets glued to unvisited cells
+    };
+
+    Id cell_of(Id facet) const {
+        return complex_.kind == CellKind::tet ? facet / 4 : complex_.cell_of[facet];
+    }
+
+    void visit(Id cell, Id entry, Id came_by) {
+        cells_[cell].entry = entry;
         trail_.push_back(cell);
-        fresh_ = true;
+        walk_.order.push_back(cell);
+        walk_.came_by.push_back(came_by);
         for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f)
-            if (complex_.twin[f] != kNone) --ways_[complex_.cell_of[complex_.twin[f]]];
+            if (complex_.twin[f] != kNone) --cells_[cell_of(complex_.twin[f])].ways;
     }
 
     // The facet to leave by, or kNone at a dead end.
     Id choose(Id cell) {
-        if (entry_[cell] != kNone) {
-            exit_order(complex_, entry_[cell], order_);
+        const Cell& here = cells_[cell];
+        if (here.ways == 0) return kNone;
+        if (here.entry != kNone) {
+            exit_order(complex_, here.entry, order_);
         } else {
             order_.clear();
             for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f) order_.push_back(f);
         }
-        Id best = kNone;
-        int fewest = 0;
+        Id best = kNone, fewest = 0;
         for (const Id f : order_) {
             const Id g = complex_.twin[f];
-            if (g == kNone || visited_[complex_.cell_of[g]] != 0) continue;
-            const int ways = std::min(ways_[complex_.cell_of[g]], options_.look_ahead);
+            if (g == kNone) continue;
+            const Cell& there = cells_[cell_of(g)];
+            if (there.entry != kUnvisited) continue;
+            const Id ways = std::min(there.ways, options_.look_ahead);
             if (best != kNone && ways >= fewest) continue;
             best = f;
             fewest = ways;
@@ -75,21 +88,22 @@ class Walk {
     }
 
     const Complex& complex_;
-    const Dual& dual_;
     const SteerOptions& options_;
-    EdgeSet set_;
-    std::vector<Id> entry_;
-    std::vector<int> ways_;  // cell -> facets glued to unvisited cells
-    std::vector<std::uint8_t> visited_;
+    std::vector<Cell> cells_;
     std::vector<Id> trail_;  // visited cells that may have unvisited neighbours
     std::vector<Id> order_;
-    bool fresh_ = false;  // the cell on top of the trail is the head of a path
+    Steered walk_;
 };
 
 }  // namespace
 
-EdgeSet steer(const Complex& complex, const Dual& dual, const SteerOptions& options) {
-    return Walk(complex, dual, options).run();
+Steered steer(const Complex& complex, const SteerOptions& options) { return Walk(complex, options).run(); }
+
+EdgeSet paths_of(const Steered& walk, const Dual& dual) {
+    EdgeSet set(dual.graph.edge_count(), 0);
+    for (const Id facet : walk.came_by)
+        if (facet != kNone) set[dual.edge_of[facet]] = 1;
+    return set;
 }
 
 }  // namespace ravel

@@ -1,15 +1,26 @@
 // Long paths over the mesh that turn as the decoder expects.
 #pragma once
 
+#include <vector>
+
 #include "strip/dual.h"
 
 namespace ravel {
 
 struct SteerOptions {
-    int look_ahead = 2;  // neighbours with fewer ways on than this go before the rule's choice
+    Id look_ahead = 2;  // neighbours with fewer ways on than this go before the rule's choice
 };
 
-// A 2-matching of paths, for `augment` to mend. Linear.
-EdgeSet steer(const Complex& complex, const Dual& dual, const SteerOptions& options = {});
+// The cells in the order of the walk, and the facet by which the path came to each: kNone where a path starts.
+struct Steered {
+    std::vector<Id> order;
+    std::vector<Id> came_by;
+};
+
+// Paths through all cells. Linear.
+Steered steer(const Complex& complex, const SteerOptions& options = {});
+
+// The paths as a 2-matching, for `augment` to mend.
+EdgeSet paths_of(const Steered& walk, const Dual& dual);
 
 }  // namespace ravel

@@ -12,7 +12,8 @@ namespace {
 
 void set_points(Mesh& mesh, const std::vector<Point>& points) {
     mesh.positions = make_array(Scalar::f64, 3, points.size());
-    std::memcpy(mesh.positions.bytes.data(), points.data(), points.size() * sizeof(Point));
+    if (!points.empty())
+        std::memcpy(mesh.positions.bytes.data(), points.data(), points.size() * sizeof(Point));
 }
 
 // Numerical Recipes' quick generator: its high bits are good enough for soups.
