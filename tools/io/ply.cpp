@@ -2,7 +2,6 @@
 // attribute of the same name and type, one number per element.
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "io/attributes.h"
 #include "io/formats.h"
@@ -73,7 +72,8 @@ bool take_corner_list(Mesh& mesh, PlyProperty& property) {
         if (arity != 0 && count / degree != arity) return false;
         arity = count / degree;
     }
-    if (arity == 0 || arity > std::numeric_limits<std::uint32_t>::max()) return false;
+    constexpr Index kLargestArity = 65535;
+    if (arity == 0 || arity > kLargestArity) return false;
     std::vector<Index> index;
     if (some_without) {
         index.reserve(mesh.corners.size());

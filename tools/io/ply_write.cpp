@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "io/attributes.h"
+#include "io/decimals.h"
 #include "io/formats.h"
 #include "io/left_out.h"
 #include "io/ply_file.h"
@@ -76,7 +77,10 @@ void add_columns(PlyElement& element, const Mesh& mesh, Place place,
         left_out.take(&attribute);
         for (std::uint32_t k = 0; k < attribute.values.arity; ++k) {
             std::string name = attribute.name;
-            if (attribute.values.arity > 1) name += "." + std::to_string(k);
+            if (attribute.values.arity > 1) {
+                name += '.';
+                append_number(name, k);
+            }
             element.properties.push_back(column(std::move(name), component(attribute, elements, k)));
         }
     }
