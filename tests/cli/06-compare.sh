@@ -1,0 +1,17 @@
+# The comparison has the contract's keys, checks its peers, and knows that Draco has no tets.
+ravel -q make torus:quads=2000 -o torus.obj
+ravel -q make tets:box=6,jitter=0.2 -o box.vtk
+ravel -q compare torus.obj box.vtk --position-bits 14 --json >rows; echo "compare $?"
+python3 - <<'P'
+import json
+rows = json.load(open("rows"))
+print(*rows[0])
+for row in rows:
+    print(row["mesh"], row["codec"], row["connectivity_kept"], row["note"])
+    if row["bytes"] is not None:
+        assert row["max_error"] < 0.01, row
+P
+ravel -q compare torus.obj --codecs ravel,zstd --csv | cut -d, -f1-5
+ravel -q compare torus.obj --codecs ravel --markdown | head -2 | tail -1
+ravel -q compare torus.obj --codecs ravel --html page.html >text; grep -c '<table>' page.html
+ravel -q compare torus.obj --codecs gzip; echo "unknown codec $?"

@@ -1,0 +1,91 @@
+// Meshes through the codec and back, in memory: every recipe, and some hundred soups.
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+#include "make/make_mesh.h"
+#include "ravel/ravel.h"
+
+namespace {
+
+std::vector<ravel::EncodeOptions> option_rows() {
+    std::vector<ravel::EncodeOptions> rows(5);
+    rows[1].position_bits = 10;
+    rows[2].keep_order = true;
+    rows[2].method = ravel::FactorMethod::euler;
+    rows[3].max_error = 0.01;
+    rows[4].strip_budget = 0;
+    rows[4].float32 = true;
+    for (ravel::EncodeOptions& row : rows) row.level = 3;
+    return rows;
+}
+
+// Empty, or what went wrong.
+std::string trouble(const ravel::Mesh& mesh, const ravel::EncodeOptions& options) {
+    const auto packed = ravel::encode(mesh, options);
+    if (!packed) return "encode: " + packed.error().detail;
+    const auto again = ravel::decode(packed->bytes);
+    if (!again) return "decode: " + again.error().detail;
+    if (const auto status = ravel::check_mesh(again->mesh); !status) return status.error().detail;
+    if (again->steps.size() != mesh.cell_count()) return "not one step per cell";
+    const auto found =
+        ravel::compare_meshes(mesh, again->mesh, packed->order, packed->position_bound);
+    if (!found.equal) return "differs: " + found.difference;
+    if (options.keep_order && !found.order_kept) return "the order was not kept";
+    if (options.max_error && found.max_error > *options.max_error) return "the bound was not kept";
+    const auto twice = ravel::encode(mesh, options);
+    if (!twice || twice->bytes != packed->bytes) return "encoding twice gives other bytes";
+    return {};
+}
+
+void check(const std::string& recipe) {
+    const auto mesh = ravel::make::make_mesh(recipe);
+    REQUIRE(mesh.ok());
+    int row = 0;
+    for (const ravel::EncodeOptions& options : option_rows()) {
+        INFO(recipe << ", option row " << row++);
+        CHECK(trouble(*mesh, options) == "");
+    }
+}
+
+}  // namespace
+
+TEST_CASE("soups of polygons come back", "[roundtrip][soup]") {
+    for (int seed = 1; seed <= 250; ++seed)
+        check("soup:polygons=" + std::to_string(5 + seed * 7 % 90) + ",seed=" + std::to_string(seed) +
+              (seed % 3 == 0 ? ",double" : "") + (seed % 5 == 0 ? ",attributes" : ""));
+}
+
+TEST_CASE("soups of tets come back", "[roundtrip][soup]") {
+    for (int seed = 1; seed <= 250; ++seed)
+        check("soup:tets=" + std::to_string(5 + seed * 7 % 90) + ",seed=" + std::to_string(seed) +
+              (seed % 3 == 0 ? ",double" : "") + (seed % 5 == 0 ? ",attributes,companions" : ""));
+}
+
+TEST_CASE("large soups come back", "[roundtrip][soup]") {
+    check("soup:polygons=20000,seed=1");
+    check("soup:tets=20000,seed=2");
+}
+
+TEST_CASE("the smallest meshes come back", "[roundtrip]") {
+    for (const auto& help : ravel::make::recipe_help()) {
+        if (help.pattern != "tiny:NAME") continue;
+        for (std::size_t at = 0; at < help.says.size();) {
+            const std::size_t end = std::min(help.says.find(' ', at), help.says.size());
+            check("tiny:" + help.says.substr(at, end - at));
+            at = end + 1;
+        }
+    }
+}
+
+TEST_CASE("every family of made meshes comes back", "[roundtrip]") {
+    for (const char* recipe :
+         {"grid", "grid:triangles,jitter=0.5", "torus:size=24x12,double", "torus:quads=5000,shuffle",
+          "sphere:subdivide=3", "sphere:subdivide=4,bumps=0.3,double", "moebius", "moebius:size=9x1",
+          "terrain:size=40x40,holes=7,double", "polygons:hex,size=12x12", "polygons:mixed,size=30x30",
+          "polygons:cap,size=200", "polygons:mixed,attributes,shuffle,copies=3", "tets:box=6",
+          "tets:box=5,five,jitter=0.3", "tets:ball=6,double", "tets:shell=8,jitter=0.2",
+          "tets:box=4,copies=3,shuffle,attributes,companions", "grid:size=1x300", "tets:box=1x1x60"})
+        check(recipe);
+}
