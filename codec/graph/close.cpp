@@ -6,6 +6,9 @@
 // Cost: linear per round; a round that joins nothing is the last, and there are at most sixteen.
 #include "graph/close.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace ravel {
 namespace {
 
@@ -17,15 +20,23 @@ constexpr int kMaxPrice = 3;  // singletons a walk may make, about
 class Forest {
   public:
     Forest(const Graph& graph, EdgeSet& set)
-        : graph_(graph), set_(set), degree_(degrees_in(graph, set)), parts_(find_components(graph)),
+        : graph_(graph), set_(set), degree_(degrees_in(graph, set)), parts_(graph.parts),
           ends_left_(parts_.count, 0), visits_(2 * std::size_t{graph.node_count()}),
-          touched_(graph.edge_count(), 0) {
+          touched_(graph.edge_count(), 0), active_(parts_.count, 1), joined_(parts_.count, 0) {
         for (GraphId n = 0; n < graph.node_count(); ++n)
             if (degree_[n] == 1) ++ends_left_[parts_.of[n]];
     }
 
+    // Free walks all over before any that cost singletons. A part where a round joins nothing is done
+    // with at that price.
     void run() {
-        for (int round = 0; round < kMaxRounds && grow(); ++round) {}
+        for (const int price : {0, kMaxPrice}) {
+            std::fill(active_.begin(), active_.end(), std::uint8_t{1});
+            for (int round = 0; round < kMaxRounds && grow(price); ++round) {
+                active_ = joined_;
+                std::fill(joined_.begin(), joined_.end(), std::uint8_t{0});
+            }
+        }
     }
 
   private:
@@ -43,29 +54,31 @@ class Forest {
     bool seen(State state) const { return visits_[state].round == round_; }
     bool served(GraphId root) const { return degree_[root] != 1; }
 
-    // One forest; true where it joined anything.
-    bool grow() {
+    // One forest over the active parts; true where it joined anything.
+    bool grow(int most) {
         ++round_;
-        joined_ = false;
+        any_ = false;
         queue_.clear();
         for (GraphId n = 0; n < graph_.node_count(); ++n) {
-            if (degree_[n] != 1) continue;
+            const GraphId part = parts_.of[n];
+            if (degree_[n] != 1 || active_[part] == 0 || (most > 0 && ends_left_[part] <= 2)) continue;
             visits_[2 * n] = {round_, kNoGraphId, kNoGraphId, n};
             queue_.push_back(2 * n);
         }
-        for (price_ = 0; price_ <= kMaxPrice && !queue_.empty(); ++price_) {
+        for (price_ = 0; !queue_.empty(); ++price_) {
             dear_.clear();
-            for (std::size_t i = 0; i < queue_.size(); ++i) expand(queue_[i]);
+            for (std::size_t i = 0; i < queue_.size(); ++i) expand(queue_[i], price_ < most);
             queue_.clear();
-            const std::vector<Step> steps = dear_;
+            if (price_ == most) break;
+            const std::vector<Step> steps = std::move(dear_);
             ++price_;
             for (const Step& step : steps) take(step);
             --price_;
         }
-        return joined_;
+        return any_;
     }
 
-    void expand(State state) {
+    void expand(State state, bool may_pay) {
         const GraphId node = state / 2;
         if (served(visits_[state].root)) return;
         const bool full = state % 2 == 1;
@@ -76,8 +89,7 @@ class Forest {
             // A full singleton takes a second edge.
             if (!in && (!full || degree_[node] == 0)) take({state, 2 * arc.to + 1, arc.edge});
             // A hungry node gives away its other edge too.
-            if (in && !full && arc.edge != visits_[state].edge && price_ < kMaxPrice &&
-                ends_left_[parts_.of[node]] > 2)
+            if (in && !full && may_pay && arc.edge != visits_[state].edge)
                 dear_.push_back({state, 2 * arc.to, arc.edge});
         }
     }
@@ -130,23 +142,25 @@ class Forest {
                 degree_[node] = static_cast<std::uint8_t>(degree_[node] + change);
         }
         left -= 2;
-        joined_ = true;
+        joined_[parts_.of[a / 2]] = 1;
+        any_ = true;
         return true;
     }
 
     const Graph& graph_;
     EdgeSet& set_;
     std::vector<std::uint8_t> degree_;
-    Components parts_;
+    const Components& parts_;
     std::vector<GraphId> ends_left_;
     std::vector<Visit> visits_;
     std::vector<GraphId> touched_;  // edge -> the round that toggled it last
     std::vector<State> queue_;
     std::vector<Step> dear_;
     std::vector<GraphId> walk_;
+    std::vector<std::uint8_t> active_, joined_;  // part -> 1 where this round looks; where it joined
     GraphId round_ = 0;
     int price_ = 0;
-    bool joined_ = false;
+    bool any_ = false;
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Piece {
 
 EdgeSet cut_paths(const Graph& graph, EdgeSet set) {
     const StripList strips = list_strips(graph, set);
-    const Components parts = find_components(graph);
+    const Components& parts = graph.parts;
     std::vector<Piece> best(graph.node_count());
     std::vector<GraphId> place(graph.node_count(), 0);
     for (GraphId i = 0; i < strips.node.size(); ++i) place[strips.node[i]] = i;

@@ -17,7 +17,14 @@ struct Arc {
     GraphId edge = 0;
 };
 
+// Connected parts, numbered by their lowest node.
+struct Components {
+    GraphId count = 0;
+    std::vector<GraphId> of;  // node -> component
+};
+
 struct Graph {
+    Components parts;
     std::vector<GraphId> first;                  // nodes + 1
     std::vector<Arc> arcs;                       // two per edge, ascending by edge at each node
     std::vector<std::array<GraphId, 2>> ends;    // edge -> its nodes
@@ -42,12 +49,5 @@ using EdgeSet = std::vector<std::uint8_t>;
 
 // How many edges of the set each node has.
 std::vector<std::uint8_t> degrees_in(const Graph& graph, const EdgeSet& set);
-
-// Connected parts, numbered by their lowest node.
-struct Components {
-    GraphId count = 0;
-    std::vector<GraphId> of;  // node -> component
-};
-Components find_components(const Graph& graph);
 
 }  // namespace ravel

@@ -41,7 +41,7 @@ class Merger {
   public:
     Merger(const Graph& graph, EdgeSet& set, const RingLimits& limits)
         : graph_(graph), set_(set), limits_(limits), strips_(list_strips(graph, set)),
-          parts_(find_components(graph)), part_size_(parts_.count, 0), sets_(strips_.count()),
+          parts_(graph.parts), part_size_(parts_.count, 0), sets_(strips_.count()),
           open_(strips_.count(), 0), ropes_(strips_.count()), place_(graph.node_count(), 0) {
         for (GraphId node = 0; node < graph.node_count(); ++node) ++part_size_[parts_.of[node]];
         for (GraphId s = 0; s < strips_.count(); ++s) {
@@ -236,7 +236,7 @@ class Merger {
     EdgeSet& set_;
     const RingLimits& limits_;
     const StripList strips_;
-    const Components parts_;
+    const Components& parts_;
     std::uint64_t steps_left_ = 0;
     std::vector<GraphId> part_size_;
     UnionFind sets_;

@@ -11,6 +11,7 @@ namespace ravel {
 Dual make_dual(const Complex& complex, std::span<const Id> order) {
     Dual dual;
     const Id cells = complex.cell_count();
+    const bool tets = complex.kind == CellKind::tet;
     dual.cell_of.assign(order.begin(), order.end());
     dual.node_of.resize(cells);
     for (Id n = 0; n < cells; ++n) dual.node_of[order[n]] = n;
@@ -22,7 +23,7 @@ Dual make_dual(const Complex& complex, std::span<const Id> order) {
         for (Id f = complex.first[order[n]]; f < complex.first[order[n] + 1]; ++f) {
             const Id g = complex.twin[f];
             if (g == kNone) continue;
-            const Id m = dual.node_of[complex.cell_of[g]];
+            const Id m = dual.node_of[tets ? g / 4 : complex.cell_of[g]];
             if (m < n) continue;
             const auto edge = static_cast<Id>(ends.size());
             dual.edge_of[f] = edge;

@@ -68,7 +68,7 @@ Strip link_strips(const Complex& complex, const Dual& dual, const EdgeSet& set) 
             }
         }
     }
-    const Components parts = find_components(dual.graph);
+    const Components& parts = dual.graph.parts;
     std::vector<GraphId> first_strip(parts.count, kNoGraphId);
     for (GraphId s = 0; s < strips.count(); ++s) {
         GraphId& best = first_strip[parts.of[strips.node[strips.first[s]]]];

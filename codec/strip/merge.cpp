@@ -65,7 +65,7 @@ class Merger {
   public:
     Merger(const Complex& complex, const Dual& dual, EdgeSet& set)
         : complex_(complex), dual_(dual), set_(set), strips_(list_strips(dual.graph, set)),
-          parts_(find_components(dual.graph)), sets_(strips_.count()), part_size_(parts_.count, 0),
+          parts_(dual.graph.parts), sets_(strips_.count()), part_size_(parts_.count, 0),
           open_(strips_.count(), 0) {
         for (GraphId s = 0; s < strips_.count(); ++s) {
             sets_.weigh(s, strips_.size(s));
@@ -78,7 +78,11 @@ class Merger {
         std::uint64_t total = 0;
         for (int pass = 0; pass < kMaxPasses; ++pass) {
             std::uint64_t merges = 0;
-            for (GraphId node = 0; node < dual_.graph.node_count(); ++node) merges += merge_at(node);
+            for (GraphId s = 0; s < strips_.count(); ++s) {
+                const GraphId end = strips_.first[s + 1];
+                for (GraphId i = strips_.first[s]; i < end && !in_majority(strips_.node[i]); ++i)
+                    merges += merge_at(strips_.node[i]);
+            }
             total += merges;
             total += absorb_at_path_ends();
             if (merges == 0) break;
@@ -95,7 +99,6 @@ class Merger {
     }
 
     std::uint64_t merge_at(GraphId node) {
-        if (in_majority(node)) return 0;
         const Id cell = dual_.cell_of[node];
         std::uint64_t merges = 0;
         for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f) {
@@ -181,7 +184,7 @@ class Merger {
     const Dual& dual_;
     EdgeSet& set_;
     StripList strips_;
-    Components parts_;
+    const Components& parts_;
     UnionFind sets_;
     std::vector<GraphId> part_size_;
     std::vector<std::uint8_t> open_;  // set of strips -> 1 where it is a path

@@ -71,7 +71,7 @@ TEST_CASE("closing and cutting leave at most one path per connected part") {
             CHECK(paths_in(graph, closed) <= paths_in(graph, start));
             const EdgeSet set = cut_paths(graph, extend_paths(graph, closed));
             const StripList strips = list_strips(graph, set);
-            const Components parts = find_components(graph);
+            const Components& parts = graph.parts;
             std::vector<int> paths(parts.count, 0);
             for (GraphId s = 0; s < strips.count(); ++s)
                 if (strips.shape[s] == StripShape::path) ++paths[parts.of[strips.node[strips.first[s]]]];
