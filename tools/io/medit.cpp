@@ -62,10 +62,13 @@ class MeditReader {
     std::size_t largest_at_ = 0;
 };
 
-bool starts_keyword(std::string_view word) {
-    double number = 0;
-    const char c = word.empty() ? '\0' : word.front();
-    return ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) && !parse_real(word, number);
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+bool is_keyword(std::string_view word) {
+    double number = 0;  // "nan" and "inf" are letters too
+    return !word.empty() && is_letter(word.front()) && !parse_real(word, number) &&
+           std::all_of(word.begin(), word.end(),
+                       [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
 bool any_non_zero(std::span<const std::int64_t> numbers) {
@@ -138,7 +141,7 @@ Status MeditReader::keep(const std::string& word) {
     const bool counted = medit_has_count(word);
     if (counted && !in_.read(n))
         return in_.expected("a known keyword with its count; this is what follows " + word);
-    while (!in_.at_end() && !starts_keyword(in_.peek()))
+    while (!in_.at_end() && !is_keyword(in_.peek()))
         if (!kept.numbers.add(in_.word())) return in_.expected("a number of section " + word);
     const std::size_t numbers = kept.numbers.size();
     if (n == 0 ? numbers != 0 : numbers % n != 0 || numbers == 0)
@@ -236,7 +239,7 @@ Result<Mesh> MeditReader::read() {
     while (true) {
         const std::string word(in_.word());
         if (word.empty() || same_word(word, "End")) break;
-        if (!starts_keyword(word)) return in_.expected("a keyword of a MEDIT mesh");
+        if (!is_keyword(word)) return in_.expected("a keyword of a MEDIT mesh");
         if (Status status = keyword(word); !status) return status.error();
     }
     if (!has_vertices_) return in_.error("the file ends without a section Vertices");

@@ -1,6 +1,7 @@
 // Object File Format: OFF, COFF, NOFF, STOFF and their combinations, as text.
+#include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
 
 #include "io/attributes.h"
 #include "io/decimals.h"
@@ -64,6 +65,7 @@ struct Colors {
     }
 
     void finish(Mesh& mesh, Place place, Index elements) {
+        alpha.integers = rgb.integers;  // they are read together
         for (Values* values : {&map, &rgb, &alpha}) values->finish(mesh, place, elements);
     }
 };
@@ -77,7 +79,13 @@ class OffReader {
     Status header();
     Status point(Index p);
     Status face(Index f);
-    Status rest_of_line();  // into rest_, rest_integers_
+    Status rest_of_line();  // into rest_ and whole_
+    // Are these numbers, a part of rest_, all written as integers?
+    bool integers(std::span<const double> part) const {
+        const auto first = whole_.begin() + (part.data() - rest_.data());
+        return std::all_of(first, first + static_cast<std::ptrdiff_t>(part.size()),
+                           [](bool whole) { return whole; });
+    }
 
     TextReader in_;
     Mesh mesh_;
@@ -87,7 +95,7 @@ class OffReader {
     Values normals_{"off:normal", 3, {}, {}, false}, texture_{"off:texture", 2, {}, {}, false};
     Colors point_colors_, face_colors_;
     std::vector<double> rest_;
-    bool rest_integers_ = true;
+    std::vector<bool> whole_;
 };
 
 Status OffReader::header() {
@@ -132,16 +140,15 @@ Status OffReader::header() {
 
 Status OffReader::rest_of_line() {
     rest_.clear();
-    rest_integers_ = true;
+    whole_.clear();
     while (!in_.line_ended()) {
         const std::string_view word = in_.line_word();
         double number = 0;
         std::int64_t whole = 0;
         if (!parse_real(word, number)) return in_.expected("a number");
         constexpr std::int64_t kExact = std::int64_t{1} << 53;
-        const bool integer =
-            parse_integer(word, whole) && whole <= kExact && whole >= -kExact && word != "-0";
-        rest_integers_ = rest_integers_ && integer;
+        whole_.push_back(parse_integer(word, whole) && whole <= kExact && whole >= -kExact &&
+                         !std::signbit(number) == (whole >= 0));
         rest_.push_back(number);
     }
     return Done{};
@@ -166,7 +173,7 @@ Status OffReader::point(Index p) {
         texture_.add(p, rest.last(2), false);
         rest = rest.first(rest.size() - 2);
     }
-    if (!point_colors_.add(p, rest, rest_integers_))
+    if (!point_colors_.add(p, rest, integers(rest)))
         return in_.error("expected a colour of 1, 3 or 4 numbers after the point, found " +
                          std::to_string(rest.size()));
     return Done{};
@@ -187,7 +194,7 @@ Status OffReader::face(Index f) {
     }
     mesh_.corner_begin.push_back(mesh_.corners.size());
     if (Status status = rest_of_line(); !status) return status;
-    if (!face_colors_.add(f, rest_, rest_integers_))
+    if (!face_colors_.add(f, rest_, integers(rest_)))
         return in_.error("expected a colour of 1, 3 or 4 numbers after the face, found " +
                          std::to_string(rest_.size()));
     return Done{};

@@ -1,7 +1,7 @@
 // Polygon file format: which columns are points, faces and edges. Every other column becomes an
 // attribute of the same name and type, one number per element.
 #include <algorithm>
-#include <cstring>
+#include <iterator>
 
 #include "io/attributes.h"
 #include "io/formats.h"
@@ -48,13 +48,13 @@ Result<Array> positions_of(const PlyElement& vertices, const std::string& path) 
 }
 
 // Lists that no corner has a place for: their lengths and their numbers, of the mesh as a whole.
-void keep_list(Mesh& mesh, const PlyElement& element, PlyProperty& property) {
+void keep_list(std::vector<Attribute>& kept, const PlyElement& element, PlyProperty& property) {
     const std::string name = std::string(kPrefix) + element.name + ":" + property.name;
     std::vector<std::uint32_t> counts(element.count);
     for (Index r = 0; r < element.count; ++r)
         counts[r] = static_cast<std::uint32_t>(property.begin[r + 1] - property.begin[r]);
-    add_attribute(mesh, name + std::string(kCounts), Place::mesh, array_of(counts, 1));
-    add_attribute(mesh, name, Place::mesh, std::move(property.values));
+    kept.push_back({name + std::string(kCounts), Place::mesh, array_of(counts, 1), {}});
+    kept.push_back({name, Place::mesh, std::move(property.values), {}});
 }
 
 // A list with the same number of values for each corner of its face, or none, such as texcoord.
@@ -90,23 +90,35 @@ bool take_corner_list(Mesh& mesh, PlyProperty& property) {
     return true;
 }
 
+// Scalars first, then lists of corners, then the rest, so that writing does not change the order.
 void take_columns(Mesh& mesh, PlyElement& element, Place place,
-                  std::initializer_list<std::string_view> taken) {
-    for (PlyProperty& property : element.properties) {
-        if (std::find(taken.begin(), taken.end(), property.name) != taken.end()) continue;
-        if (property.is_list) {
-            if (place != Place::cell || !take_corner_list(mesh, property))
-                keep_list(mesh, element, property);
-        } else if (place == Place::mesh) {
-            add_attribute(mesh, std::string(kPrefix) + element.name + ":" + property.name, place,
-                          std::move(property.values));
-        } else {
+                  std::initializer_list<std::string_view> taken, std::vector<Attribute>& kept) {
+    const auto is_taken = [&](const PlyProperty& property) {
+        return std::find(taken.begin(), taken.end(), property.name) != taken.end();
+    };
+    for (PlyProperty& property : element.properties)
+        if (!property.is_list && !is_taken(property))
             add_attribute(mesh, property.name, place, std::move(property.values));
+    for (PlyProperty& property : element.properties)
+        if (property.is_list && !is_taken(property) &&
+            (place != Place::cell || !take_corner_list(mesh, property)))
+            keep_list(kept, element, property);
+}
+
+// An element that is neither points, faces nor edges.
+void keep_element(PlyElement& element, std::vector<Attribute>& kept) {
+    for (PlyProperty& property : element.properties) {
+        if (property.is_list) {
+            keep_list(kept, element, property);
+        } else {
+            kept.push_back({std::string(kPrefix) + element.name + ":" + property.name, Place::mesh,
+                            std::move(property.values), {}});
         }
     }
 }
 
-Status take_faces(Mesh& mesh, PlyElement& element, const std::string& path) {
+Status take_faces(Mesh& mesh, PlyElement& element, const std::string& path,
+                  std::vector<Attribute>& kept) {
     const PlyProperty* corners = element.find("vertex_indices", true);
     if (!corners) corners = element.find("vertex_index", true);
     if (!corners || !corners->names_points)
@@ -114,11 +126,11 @@ Status take_faces(Mesh& mesh, PlyElement& element, const std::string& path) {
                      path + ": element face has no integer list vertex_indices"};
     mesh.corner_begin = corners->begin;
     mesh.corners = indices_of(corners->values);
-    take_columns(mesh, element, Place::cell, {corners->name});
+    take_columns(mesh, element, Place::cell, {corners->name}, kept);
     return Done{};
 }
 
-bool take_edges(Mesh& mesh, PlyElement& element) {
+bool take_edges(Mesh& mesh, PlyElement& element, std::vector<Attribute>& kept) {
     const PlyProperty* from = element.find("vertex1", false);
     const PlyProperty* to = element.find("vertex2", false);
     if (!from || !to || !from->names_points || !to->names_points) return false;
@@ -127,7 +139,7 @@ bool take_edges(Mesh& mesh, PlyElement& element) {
     for (Index e = 0; e < element.count; ++e)
         block.nodes.insert(block.nodes.end(), {ends[0][e], ends[1][e]});
     mesh.companions.push_back(std::move(block));
-    take_columns(mesh, element, Place::companion, {"vertex1", "vertex2"});
+    take_columns(mesh, element, Place::companion, {"vertex1", "vertex2"}, kept);
     return true;
 }
 
@@ -153,15 +165,25 @@ Result<Mesh> read_ply(const std::string& path) {
     Result<Array> positions = positions_of(*vertices, path);
     if (!positions) return positions.error();
     mesh.positions = std::move(*positions);
+    // Whatever the order of the file, this is the order in which a mesh is written.
+    std::vector<Attribute> kept;
+    const auto order = [](const PlyElement& element) {
+        return element.name == "vertex" ? 0 : element.name == "face" ? 1 : element.name == "edge" ? 2 : 3;
+    };
+    std::stable_sort(
+        file->elements.begin(), file->elements.end(),
+        [&](const PlyElement& a, const PlyElement& b) { return order(a) < order(b); });
     for (PlyElement& element : file->elements) {
         if (element.name == "vertex") {
-            take_columns(mesh, element, Place::point, {"x", "y", "z"});
+            take_columns(mesh, element, Place::point, {"x", "y", "z"}, kept);
         } else if (element.name == "face") {
-            if (Status status = take_faces(mesh, element, path); !status) return status.error();
-        } else if (element.name != "edge" || !take_edges(mesh, element)) {
-            take_columns(mesh, element, Place::mesh, {});
+            if (Status status = take_faces(mesh, element, path, kept); !status)
+                return status.error();
+        } else if (element.name != "edge" || !take_edges(mesh, element, kept)) {
+            keep_element(element, kept);
         }
     }
+    std::move(kept.begin(), kept.end(), std::back_inserter(mesh.attributes));
     return mesh;
 }
 

@@ -18,8 +18,7 @@ constexpr std::string_view kPrefix = "ply:";
 constexpr char kCounts = '#';
 
 bool is_word(std::string_view name) {
-    return !name.empty() && std::all_of(name.begin(), name.end(),
-                                        [](char c) { return c > ' ' && c <= '~'; });
+    return !name.empty() && name.find_first_of(" \t\r\n\v\f") == std::string_view::npos;
 }
 
 PlyProperty column(std::string name, Array values) {

@@ -80,7 +80,7 @@ std::string words(std::initializer_list<std::uint64_t> numbers) {
 
 Status TetgenWriter::nodes() {
     const Attribute* reals = column(Place::point, "tetgen:attribute", false);
-    const Attribute* markers = column(Place::point, "tetgen:marker", true);
+    const Attribute* markers = column(Place::point, "tetgen:marker", false);
     left_out_.take(reals);
     left_out_.take(markers);
     std::string out = words({mesh_.point_count(), 3, reals ? reals->values.arity : 0,
