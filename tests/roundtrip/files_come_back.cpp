@@ -56,14 +56,15 @@ int main(int argc, char** argv) {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
         if (!outcome.empty()) ++bad;
-        std::printf("%-40s read %.2f s, write %.2f s, %s %llu points %llu %ss %llu companions: %s\n",
-                    path.filename().c_str(), read_seconds, write_seconds,
-                    mesh ? ravel::name_of(mesh->positions.scalar) : "-",
-                    static_cast<unsigned long long>(mesh ? mesh->point_count() : 0),
-                    static_cast<unsigned long long>(mesh ? mesh->cell_count() : 0),
-                    mesh ? ravel::name_of(mesh->kind) : "cell",
-                    static_cast<unsigned long long>(mesh ? mesh->companion_count() : 0),
-                    outcome.empty() ? "same" : outcome.c_str());
+        std::printf(
+            "%-40s read %.2f s, write %.2f s, %s %llu points %llu %ss %llu companions: %s\n",
+            path.filename().c_str(), read_seconds, write_seconds,
+            mesh ? ravel::name_of(mesh->positions.scalar) : "-",
+            static_cast<unsigned long long>(mesh ? mesh->point_count() : 0),
+            static_cast<unsigned long long>(mesh ? mesh->cell_count() : 0),
+            mesh ? ravel::name_of(mesh->kind) : "cell",
+            static_cast<unsigned long long>(mesh ? mesh->companion_count() : 0),
+            outcome.empty() ? "same" : outcome.c_str());
     }
     std::filesystem::remove_all(folder);
     return bad == 0 ? 0 : 1;

@@ -37,8 +37,8 @@ inline std::string difference(const Mesh& a, const Mesh& b) {
         return x.attribute == y.attribute && x.dimension == y.dimension && x.value == y.value &&
                x.name == y.name;
     };
-    if (!std::equal(a.tag_names.begin(), a.tag_names.end(), b.tag_names.begin(),
-                    b.tag_names.end(), same_tag))
+    if (!std::equal(a.tag_names.begin(), a.tag_names.end(), b.tag_names.begin(), b.tag_names.end(),
+                    same_tag))
         return "tag names";
     const auto same_note = [](const Note& x, const Note& y) {
         return x.key == y.key && x.text == y.text;
@@ -48,6 +48,8 @@ inline std::string difference(const Mesh& a, const Mesh& b) {
     return {};
 }
 
-inline bool same_file_mesh(const Mesh& a, const Mesh& b) { return difference(a, b).empty(); }
+inline bool same_file_mesh(const Mesh& a, const Mesh& b) {
+    return difference(a, b).empty();
+}
 
 }  // namespace ravel::test

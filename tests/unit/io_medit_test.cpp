@@ -11,9 +11,15 @@ namespace {
 constexpr const char* kHead = "MeshVersionFormatted 2\nDimension 3\n";
 constexpr const char* kFour = "Vertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
 
-std::string file(std::string_view more) { return std::string(kHead) + kFour + std::string(more); }
-std::string trouble(const std::string& text) { return trouble_reading_again("a.mesh", text); }
-std::string error(const std::string& text) { return error_of("a.mesh", text); }
+std::string file(std::string_view more) {
+    return std::string(kHead) + kFour + std::string(more);
+}
+std::string trouble(const std::string& text) {
+    return trouble_reading_again("a.mesh", text);
+}
+std::string error(const std::string& text) {
+    return error_of("a.mesh", text);
+}
 
 }  // namespace
 
@@ -41,8 +47,8 @@ TEST_CASE("MEDIT tets with references, and all other cells as companions, come b
 }
 
 TEST_CASE("MEDIT triangles and quadrilaterals are cells where there are no tets", "[io][medit]") {
-    const std::string text =
-        file("Quadrilaterals\n1\n1 2 3 4 5\nTriangles\n2\n1 2 3 0\n2 3 4 0\nEdges\n1\n1 2 6\nEnd\n");
+    const std::string text = file(
+        "Quadrilaterals\n1\n1 2 3 4 5\nTriangles\n2\n1 2 3 0\n2 3 4 0\nEdges\n1\n1 2 6\nEnd\n");
     const Result<Mesh> mesh = read_bytes("a.mesh", text);
     REQUIRE(mesh);
     CHECK(mesh->kind == CellKind::polygon);
@@ -56,8 +62,8 @@ TEST_CASE("MEDIT references of zero are no attribute", "[io][medit]") {
 }
 
 TEST_CASE("MEDIT quadratic tets keep their edge nodes and hosts", "[io][medit]") {
-    const std::string text =
-        file("Triangles 1 1 2 3 4\nTetrahedraP2\n1\n1 2 3 4 1 2 3 4 1 2 9\nTetrahedra 1\n4 3 2 1 8\n");
+    const std::string text = file(
+        "Triangles 1 1 2 3 4\nTetrahedraP2\n1\n1 2 3 4 1 2 3 4 1 2 9\nTetrahedra 1\n4 3 2 1 8\n");
     const Result<Mesh> mesh = read_bytes("a.mesh", text);
     REQUIRE(mesh);
     CHECK(mesh->cell_count() == 2);
@@ -69,9 +75,9 @@ TEST_CASE("MEDIT quadratic tets keep their edge nodes and hosts", "[io][medit]")
 }
 
 TEST_CASE("MEDIT sections about the mesh are kept as their numbers", "[io][medit]") {
-    const std::string text =
-        file("Corners 2\n1\n3\nNormals\n1\n0 0.5 1\nNormalAtVertices 1\n2 1\nRidges 0\n"
-             "AngleOfCornerBound 10.5\nTetrahedra 1\n1 2 3 4 1\nRequiredVertices\n3 1 2 3\nEnd\n");
+    const std::string text = file(
+        "Corners 2\n1\n3\nNormals\n1\n0 0.5 1\nNormalAtVertices 1\n2 1\nRidges 0\n"
+        "AngleOfCornerBound 10.5\nTetrahedra 1\n1 2 3 4 1\nRequiredVertices\n3 1 2 3\nEnd\n");
     const Result<Mesh> mesh = read_bytes("a.mesh", text);
     REQUIRE(mesh);
     CHECK(io::find_attribute(*mesh, Place::mesh, "medit:Normals")->values.arity == 3);
@@ -79,8 +85,7 @@ TEST_CASE("MEDIT sections about the mesh are kept as their numbers", "[io][medit
     CHECK(trouble(text) == "");
 }
 
-TEST_CASE("MEDIT refuses cells it cannot hold and reports an order it cannot keep",
-          "[io][medit]") {
+TEST_CASE("MEDIT refuses cells it cannot hold and reports an order it cannot keep", "[io][medit]") {
     const TempFolder folder;
     Mesh mesh;
     mesh.positions = make_array(Scalar::f32, 3, 5);
@@ -100,7 +105,8 @@ TEST_CASE("wrong MEDIT files get one line that says where and what", "[io][medit
     CHECK(error("12 13\n") == "a.mesh:1: expected a keyword of a MEDIT mesh, found '12'");
     CHECK(error(file("Tetrahedra 1\n1 2 3 5 0\n")) ==
           "a.mesh:10: names vertex 5, but the file has 4");
-    CHECK(error(file("Tetrahedra 1\n1 2 3 0 0\n")).find("a.mesh:10: expected a vertex number") == 0);
+    CHECK(error(file("Tetrahedra 1\n1 2 3 0 0\n")).find("a.mesh:10: expected a vertex number") ==
+          0);
     CHECK(error(file("Tetrahedra 2\n1 2 3 4 0\n")).find("more than the file can hold") !=
           std::string::npos);
     CHECK(error(file("Triangles 2\n1 2 3 0\nTetrahedra 0\nEnd\n"))

@@ -7,8 +7,12 @@ using namespace ravel;
 using namespace ravel::test;
 
 namespace {
-std::string trouble(std::string_view text) { return trouble_reading_again("a.obj", text); }
-std::string error(std::string_view text) { return error_of("a.obj", text); }
+std::string trouble(std::string_view text) {
+    return trouble_reading_again("a.obj", text);
+}
+std::string error(std::string_view text) {
+    return error_of("a.obj", text);
+}
 }  // namespace
 
 TEST_CASE("an empty OBJ is an empty mesh and comes back", "[io][obj]") {
@@ -130,10 +134,8 @@ TEST_CASE("wrong OBJ files get one line that says where and what", "[io][obj]") 
     CHECK(error("v 0 0 0\nf 1 0 1\n").find("a.obj:2: expected a corner") == 0);
     CHECK(error("v 0 0 0\nf 1 -2 1\n").find("a.obj:2: expected a corner") == 0);
     CHECK(error("v 0 0 0\nf 1 1/1/1/1 1\n").find("a.obj:2: expected a corner") == 0);
-    CHECK(error("v 0 0 0\n\nf 1 9 1\nv 0 0 0\n") ==
-          "a.obj:3: refers to v 9, but the file has 2");
-    CHECK(error("v 0 0 0\nf 1/1 1/1 1/2\nvt 0\n") ==
-          "a.obj:2: refers to vt 2, but the file has 1");
+    CHECK(error("v 0 0 0\n\nf 1 9 1\nv 0 0 0\n") == "a.obj:3: refers to v 9, but the file has 2");
+    CHECK(error("v 0 0 0\nf 1/1 1/1 1/2\nvt 0\n") == "a.obj:2: refers to vt 2, but the file has 1");
     CHECK(error("v 0 0 0\nf 1 99999999999999999999 1\n").find("a.obj:2: ") == 0);
     CHECK(error("v 0 0 0\ns x\n").find("a.obj:2: expected a smoothing") == 0);
     CHECK(error("hello\nworld\n") ==

@@ -7,8 +7,12 @@ using namespace ravel;
 using namespace ravel::test;
 
 namespace {
-std::string trouble(std::string_view text) { return trouble_reading_again("a.off", text); }
-std::string error(std::string_view text) { return error_of("a.off", text); }
+std::string trouble(std::string_view text) {
+    return trouble_reading_again("a.off", text);
+}
+std::string error(std::string_view text) {
+    return error_of("a.off", text);
+}
 }  // namespace
 
 TEST_CASE("OFF without points or faces comes back", "[io][off]") {
@@ -26,7 +30,8 @@ TEST_CASE("OFF counts stand on the header line or the next, with or without the 
 }
 
 TEST_CASE("OFF keeps faces of any degree, repeated corners and duplicates", "[io][off]") {
-    const char* text = "OFF\n3 6 0\n0 0 0\n1 0 0\n0 1 0\n0\n1 2\n2 0 1\n3 0 0 0\n3 0 1 2\n3 0 1 2\n";
+    const char* text =
+        "OFF\n3 6 0\n0 0 0\n1 0 0\n0 1 0\n0\n1 2\n2 0 1\n3 0 0 0\n3 0 1 2\n3 0 1 2\n";
     CHECK(read_bytes("a.off", text)->cell_count() == 6);
     CHECK(trouble(text) == "");
 }

@@ -26,7 +26,9 @@ std::string trouble(const std::string& text) {
     const std::string as_text = trouble_reading_again("a.ply", text);
     return as_text.empty() ? trouble_reading_again("a.ply", text, true) : as_text;
 }
-std::string error(const std::string& text) { return error_of("a.ply", text); }
+std::string error(const std::string& text) {
+    return error_of("a.ply", text);
+}
 
 }  // namespace
 
@@ -46,10 +48,11 @@ TEST_CASE("PLY keeps faces of any degree, repeated corners and values that are n
 
 TEST_CASE("PLY keeps the declared types of positions and of all other properties", "[io][ply]") {
     const std::string text =
-        head("comment made by hand\nobj_info scanned\nelement vertex 1\nproperty double x\n"
-             "property double y\nproperty double z\nproperty uchar red\nproperty char a\n"
-             "property short b\nproperty ushort c\nproperty uint d\nproperty double e\n" +
-             faces(1, "property float quality\nproperty int flags\n")) +
+        head(
+            "comment made by hand\nobj_info scanned\nelement vertex 1\nproperty double x\n"
+            "property double y\nproperty double z\nproperty uchar red\nproperty char a\n"
+            "property short b\nproperty ushort c\nproperty uint d\nproperty double e\n" +
+            faces(1, "property float quality\nproperty int flags\n")) +
         "1 2 3 255 -128 -32768 65535 4294967295 0.1\n1 0 0.25 -7\n";
     const Result<Mesh> mesh = read_bytes("a.ply", text);
     REQUIRE(mesh);
@@ -62,8 +65,8 @@ TEST_CASE("PLY keeps the declared types of positions and of all other properties
 }
 
 TEST_CASE("binary PLY of either byte order is the same mesh as its text", "[io][ply]") {
-    const std::string text =
-        head(vertices(3, "property ushort q\n") + faces(1)) + "0 1 2 258\n3 4 5 1\n6 7 8 2\n3 0 1 2\n";
+    const std::string text = head(vertices(3, "property ushort q\n") + faces(1)) +
+                             "0 1 2 258\n3 4 5 1\n6 7 8 2\n3 0 1 2\n";
     const Result<Mesh> mesh = read_bytes("a.ply", text);
     REQUIRE(mesh);
     std::string big = head(vertices(3, "property ushort q\n") + faces(1), "binary_big_endian");
@@ -139,10 +142,12 @@ TEST_CASE("wrong PLY files get one line that says where and what", "[io][ply]") 
               .find("strips") != std::string::npos);
     CHECK(error(head(vertices(1) + faces(1)) + "0 0 0\n3 0 0 1\n") ==
           "a.ply:11: face 0 names vertex 1, but the file has 1");
-    CHECK(error(head(vertices(1) + faces(1)) + "0 0 0\n3 0 0 -1\n")
-              .find("names vertex -1") != std::string::npos);
-    CHECK(error(head(vertices(1)) + "0 0 0 0\n").find("a.ply:8: expected the end of the line") == 0);
-    CHECK(error(head(vertices(2)) + "0 0 0\n0.5 0.5\n").find("but the file ends") != std::string::npos);
+    CHECK(error(head(vertices(1) + faces(1)) + "0 0 0\n3 0 0 -1\n").find("names vertex -1") !=
+          std::string::npos);
+    CHECK(error(head(vertices(1)) + "0 0 0 0\n").find("a.ply:8: expected the end of the line") ==
+          0);
+    CHECK(error(head(vertices(2)) + "0 0 0\n0.5 0.5\n").find("but the file ends") !=
+          std::string::npos);
     CHECK(error(head(vertices(1, "property uchar red\n")) + "0 0 0 256\n")
               .find("expected a number of type uint8, found '256'") != std::string::npos);
     CHECK(error(head("element vertex 18446744073709551615\n" + std::string(kXyz)) + "0 0 0\n")

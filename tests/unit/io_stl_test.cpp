@@ -25,7 +25,9 @@ std::string binary_stl(std::string header, std::uint32_t count, std::vector<floa
     return header;
 }
 
-std::string error(std::string_view bytes) { return error_of("a.stl", bytes); }
+std::string error(std::string_view bytes) {
+    return error_of("a.stl", bytes);
+}
 
 }  // namespace
 
@@ -40,8 +42,8 @@ TEST_CASE("STL joins points of equal bits in order of first use, and no others",
     CHECK(mesh->corners == std::vector<Index>{0, 1, 2, 2, 1, 3});
     CHECK(mesh->notes.at(0).text == "two words");
     CHECK(trouble_reading_again("a.stl", kTwo) == "");
-    const Result<Mesh> zeros = read_bytes(
-        "a.stl", binary_stl("", 1, {0, 0, 0, 0, 0, 0, -0.0f, 0, 0, 0, 0, 0}, 0));
+    const Result<Mesh> zeros =
+        read_bytes("a.stl", binary_stl("", 1, {0, 0, 0, 0, 0, 0, -0.0f, 0, 0, 0, 0, 0}, 0));
     REQUIRE(zeros);
     CHECK(zeros->corners == std::vector<Index>{0, 1, 0});
 }
@@ -53,7 +55,8 @@ TEST_CASE("binary STL is known by its size even when it begins with solid", "[io
     REQUIRE(mesh);
     CHECK(mesh->cell_count() == 1);
     CHECK(mesh->notes.at(0).text == "solid not text");
-    CHECK(io::find_attribute(*mesh, Place::cell, "stl:attribute")->values.as<std::uint16_t>()[0] == 7);
+    CHECK(io::find_attribute(*mesh, Place::cell, "stl:attribute")->values.as<std::uint16_t>()[0] ==
+          7);
     CHECK(trouble_coming_back(*mesh, "a.stl", true) == "");
     const TempFolder folder;
     REQUIRE(io::write_mesh(*mesh, folder / "b.stl", {.binary = true}));

@@ -80,8 +80,7 @@ TEST_CASE("TetGen accepts promised markers that no row has", "[io][tetgen]") {
     CHECK(trouble(files) == "");
 }
 
-TEST_CASE("TetGen faces and edges ride along, with markers on both, one or none",
-          "[io][tetgen]") {
+TEST_CASE("TetGen faces and edges ride along, with markers on both, one or none", "[io][tetgen]") {
     const std::string ele = "1 4 0\n0 0 1 2 3\n";
     for (const char* face : {"", "1 1\n0 0 1 2 4\n", "1 0\n0 0 1 2\n", "0 1\n"})
         for (const char* edge : {"", "2 1\n0 0 1 4\n1 2 3 -1\n", "1 0\n0 3 1\n"})
@@ -116,8 +115,9 @@ TEST_CASE("wrong TetGen files get one line that says where and what", "[io][tetg
           "a.node:1: the nodes have dimension 2; only three dimensions are read");
     CHECK(error({.node = "9999999999 3 0 0\n0 0 0 0\n", .ele = ele})
               .find("more than the file can hold") != std::string::npos);
-    CHECK(error({.node = "1 3 18446744073709551615 0\n0 0 0 0\n", .ele = ele})
-              .find("more columns") != std::string::npos);
+    CHECK(
+        error({.node = "1 3 18446744073709551615 0\n0 0 0 0\n", .ele = ele}).find("more columns") !=
+        std::string::npos);
     CHECK(error({.node = "1 3 0 0\n2 0 0 0\n", .ele = ele}).find("number 0 or 1, found 2") !=
           std::string::npos);
     CHECK(error({.node = "2 3 0 0\n0 0 0 0\n2 0 0 0\n", .ele = ele}).find("expected node 1") !=

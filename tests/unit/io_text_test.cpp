@@ -51,7 +51,8 @@ TEST_CASE("numbers are read whole or not at all", "[io]") {
     std::int32_t i = 0;
     for (const char* word : {"", "+", "-", "1x", "0x10", "1e", "--1", "+-1", "1.0.0"})
         CHECK_FALSE(parse_real(word, x));
-    for (const char* word : {"", "1.0", "2147483648", "+", "a"}) CHECK_FALSE(parse_integer(word, i));
+    for (const char* word : {"", "1.0", "2147483648", "+", "a"})
+        CHECK_FALSE(parse_integer(word, i));
     CHECK((parse_real("+1.5D+02", x) && x == 150));
     CHECK((parse_real("1e999", x) && std::isinf(x)));
     CHECK((parse_real("1e-999", x) && x == 0));
@@ -68,7 +69,8 @@ TEST_CASE("float32 is chosen only where every number survives it", "[io]") {
     CHECK(std::signbit(floats_from_text(few, 1).as<float>()[1]));
     const double many[] = {0.1, 0.123456789012};
     CHECK(floats_from_text(many, 1).scalar == Scalar::f64);
-    for (const double x : {1e300, 1e-60, 16777217.0, double(0.1f)}) CHECK_FALSE(survives_float32(x));
+    for (const double x : {1e300, 1e-60, 16777217.0, double(0.1f)})
+        CHECK_FALSE(survives_float32(x));
     CHECK(floats_from_text({}, 3).scalar == Scalar::f32);
 }
 

@@ -14,28 +14,44 @@ namespace ravel::io {
 
 template <class T>
 constexpr Scalar scalar_of() {
-    if constexpr (std::is_same_v<T, float>) return Scalar::f32;
-    else if constexpr (std::is_same_v<T, double>) return Scalar::f64;
-    else if constexpr (sizeof(T) == 1) return std::is_signed_v<T> ? Scalar::i8 : Scalar::u8;
-    else if constexpr (sizeof(T) == 2) return std::is_signed_v<T> ? Scalar::i16 : Scalar::u16;
-    else if constexpr (sizeof(T) == 4) return std::is_signed_v<T> ? Scalar::i32 : Scalar::u32;
-    else return std::is_signed_v<T> ? Scalar::i64 : Scalar::u64;
+    if constexpr (std::is_same_v<T, float>)
+        return Scalar::f32;
+    else if constexpr (std::is_same_v<T, double>)
+        return Scalar::f64;
+    else if constexpr (sizeof(T) == 1)
+        return std::is_signed_v<T> ? Scalar::i8 : Scalar::u8;
+    else if constexpr (sizeof(T) == 2)
+        return std::is_signed_v<T> ? Scalar::i16 : Scalar::u16;
+    else if constexpr (sizeof(T) == 4)
+        return std::is_signed_v<T> ? Scalar::i32 : Scalar::u32;
+    else
+        return std::is_signed_v<T> ? Scalar::i64 : Scalar::u64;
 }
 
 // Calls f(std::span<const T>) with the array's own type.
 template <class F>
 decltype(auto) with_values(const Array& array, F&& f) {
     switch (array.scalar) {
-        case Scalar::u8: return f(array.as<std::uint8_t>());
-        case Scalar::i8: return f(array.as<std::int8_t>());
-        case Scalar::u16: return f(array.as<std::uint16_t>());
-        case Scalar::i16: return f(array.as<std::int16_t>());
-        case Scalar::u32: return f(array.as<std::uint32_t>());
-        case Scalar::i32: return f(array.as<std::int32_t>());
-        case Scalar::u64: return f(array.as<std::uint64_t>());
-        case Scalar::i64: return f(array.as<std::int64_t>());
-        case Scalar::f32: return f(array.as<float>());
-        case Scalar::f64: break;
+        case Scalar::u8:
+            return f(array.as<std::uint8_t>());
+        case Scalar::i8:
+            return f(array.as<std::int8_t>());
+        case Scalar::u16:
+            return f(array.as<std::uint16_t>());
+        case Scalar::i16:
+            return f(array.as<std::int16_t>());
+        case Scalar::u32:
+            return f(array.as<std::uint32_t>());
+        case Scalar::i32:
+            return f(array.as<std::int32_t>());
+        case Scalar::u64:
+            return f(array.as<std::uint64_t>());
+        case Scalar::i64:
+            return f(array.as<std::int64_t>());
+        case Scalar::f32:
+            return f(array.as<float>());
+        case Scalar::f64:
+            break;
     }
     return f(array.as<double>());
 }

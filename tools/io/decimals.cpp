@@ -41,8 +41,8 @@ bool TextNumbers::add(std::string_view word) {
     if (!parse_real(word, real)) return false;
     std::int64_t integer = 0;
     constexpr double kExact = 9007199254740992.0;  // 2^53
-    const bool whole = std::abs(real) <= kExact && std::trunc(real) == real &&
-                       !(real == 0 && std::signbit(real));
+    const bool whole =
+        std::abs(real) <= kExact && std::trunc(real) == real && !(real == 0 && std::signbit(real));
     if (integers_.size() == reals_.size()) {
         if (parse_integer(word, integer) && (whole || integer != 0)) {
             integers_.push_back(integer);

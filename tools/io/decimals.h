@@ -15,7 +15,7 @@ namespace ravel::io {
 
 // Appends the shortest decimal that reads back as `value` in its own type.
 template <class T>
-    requires std::integral<T> || std::floating_point<T>
+requires std::integral<T> || std::floating_point<T>
 void append_number(std::string& out, T value) {
     char buffer[40];
     const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);

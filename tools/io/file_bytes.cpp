@@ -14,7 +14,9 @@ struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
+std::string reason(int error_number) {
+    return std::generic_category().message(error_number);
+}
 
 Error unreadable(const std::string& path, const std::string& why) {
     return {Code::unreadable, 0, path + ": cannot be read: " + why};

@@ -13,10 +13,13 @@ LeftOut::LeftOut(const Mesh& mesh, std::string format)
       notes_(mesh.notes.size()) {}
 
 void LeftOut::take(const Attribute* attribute) {
-    if (attribute) attributes_[static_cast<std::size_t>(attribute - mesh_.attributes.data())] = true;
+    if (attribute)
+        attributes_[static_cast<std::size_t>(attribute - mesh_.attributes.data())] = true;
 }
 
-void LeftOut::take_block(std::size_t companion_block) { blocks_[companion_block] = true; }
+void LeftOut::take_block(std::size_t companion_block) {
+    blocks_[companion_block] = true;
+}
 
 void LeftOut::take_tag_names(std::string_view attribute) {
     for (std::size_t i = 0; i < tag_names_.size(); ++i)
@@ -28,7 +31,9 @@ void LeftOut::take_notes(std::string_view key) {
         if (mesh_.notes[i].key == key) notes_[i] = true;
 }
 
-void LeftOut::say(std::string sentence) { said_.push_back(std::move(sentence)); }
+void LeftOut::say(std::string sentence) {
+    said_.push_back(std::move(sentence));
+}
 
 void LeftOut::report(std::vector<std::string>* sentences) const {
     if (!sentences) return;
@@ -42,8 +47,8 @@ void LeftOut::report(std::vector<std::string>* sentences) const {
     }
     for (std::size_t a = 0; a < attributes_.size(); ++a)
         if (!attributes_[a])
-            sentences->push_back(std::string(name_of(mesh_.attributes[a].place)) +
-                                 " attribute \"" + mesh_.attributes[a].name + "\"" + no_place);
+            sentences->push_back(std::string(name_of(mesh_.attributes[a].place)) + " attribute \"" +
+                                 mesh_.attributes[a].name + "\"" + no_place);
     // Names of a tag are many; one sentence for all of them is enough.
     std::vector<std::string> tags;
     for (std::size_t i = 0; i < tag_names_.size(); ++i)

@@ -62,7 +62,9 @@ class MeditReader {
     std::size_t largest_at_ = 0;
 };
 
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool is_letter(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
 
 bool is_keyword(std::string_view word) {
     double number = 0;  // "nan" and "inf" are letters too
@@ -99,7 +101,8 @@ Status MeditReader::vertices() {
         }
         std::int64_t reference = 0;
         if (!in_.read(reference))
-            return in_.expected("the reference of vertex " + std::to_string(i + 1) + ", an integer");
+            return in_.expected("the reference of vertex " + std::to_string(i + 1) +
+                                ", an integer");
         point_references_.push_back(reference);
     }
     return Done{};
@@ -145,8 +148,8 @@ Status MeditReader::keep(const std::string& word) {
         if (!kept.numbers.add(in_.word())) return in_.expected("a number of section " + word);
     const std::size_t numbers = kept.numbers.size();
     if (n == 0 ? numbers != 0 : numbers % n != 0 || numbers == 0)
-        return in_.error("section " + word + " promises " + std::to_string(n) +
-                         " rows, and has " + std::to_string(numbers) + " numbers");
+        return in_.error("section " + word + " promises " + std::to_string(n) + " rows, and has " +
+                         std::to_string(numbers) + " numbers");
     const auto arity = static_cast<std::uint32_t>(n == 0 ? 1 : numbers / n);
     add_attribute(mesh_, "medit:" + word, Place::mesh, kept.numbers.take(arity));
     return Done{};
@@ -202,8 +205,8 @@ void MeditReader::build() {
         const bool is_tet = cells.section->use == MeditUse::tet;
         tet_section = tet_section || is_tet;
         tets = tets || (is_tet && !cells.references.empty());
-        polygons = polygons || (cells.section->use == MeditUse::polygon &&
-                                !cells.references.empty());
+        polygons =
+            polygons || (cells.section->use == MeditUse::polygon && !cells.references.empty());
     }
     mesh_.kind = tets || (tet_section && !polygons) ? CellKind::tet : CellKind::polygon;
     if (mesh_.kind == CellKind::polygon) mesh_.corner_begin = {0};
@@ -219,16 +222,18 @@ void MeditReader::build() {
         if (cells.section->use == main || cells.section->vtk_type == kQuadraticTet ||
             cells.references.empty())
             continue;
-        mesh_.companions.push_back({cells.section->vtk_type, cells.section->nodes,
-                                    cells.references.size(), cells.nodes, {}});
+        mesh_.companions.push_back({cells.section->vtk_type,
+                                    cells.section->nodes,
+                                    cells.references.size(),
+                                    cells.nodes,
+                                    {}});
         companion_references_.insert(companion_references_.end(), cells.references.begin(),
                                      cells.references.end());
     }
     mesh_.positions = floats_from_text(positions_, 3);
     const auto add = [&](Place place, const std::vector<std::int64_t>& references) {
         if (any_non_zero(references))
-            mesh_.attributes.push_back(
-                {"medit:ref", place, integers_from_text(references, 1), {}});
+            mesh_.attributes.push_back({"medit:ref", place, integers_from_text(references, 1), {}});
     };
     add(Place::point, point_references_);
     add(Place::cell, cell_references_);

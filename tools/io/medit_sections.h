@@ -20,11 +20,16 @@ inline constexpr std::uint16_t kQuadraticTet = 24;
 // The order of the nodes is VTK's: quadratic tetrahedra have the middles of the edges 01 12 20 03
 // 13 23 after their corners.
 inline constexpr MeditSection kMeditSections[] = {
-    {"Edges", 3, 2, MeditUse::other},           {"Triangles", 5, 3, MeditUse::polygon},
-    {"Quadrilaterals", 9, 4, MeditUse::polygon}, {"Tetrahedra", 10, 4, MeditUse::tet},
-    {"Hexahedra", 12, 8, MeditUse::other},      {"Prisms", 13, 6, MeditUse::other},
-    {"Pyramids", 14, 5, MeditUse::other},       {"EdgesP2", 21, 3, MeditUse::other},
-    {"TrianglesP2", 22, 6, MeditUse::other},    {"TetrahedraP2", kQuadraticTet, 10, MeditUse::tet},
+    {"Edges", 3, 2, MeditUse::other},
+    {"Triangles", 5, 3, MeditUse::polygon},
+    {"Quadrilaterals", 9, 4, MeditUse::polygon},
+    {"Tetrahedra", 10, 4, MeditUse::tet},
+    {"Hexahedra", 12, 8, MeditUse::other},
+    {"Prisms", 13, 6, MeditUse::other},
+    {"Pyramids", 14, 5, MeditUse::other},
+    {"EdgesP2", 21, 3, MeditUse::other},
+    {"TrianglesP2", 22, 6, MeditUse::other},
+    {"TetrahedraP2", kQuadraticTet, 10, MeditUse::tet},
 };
 
 // nullptr when the keyword (in any case) names no section of cells.

@@ -80,8 +80,8 @@ void MeditWriter::append_vertices() {
     }
 }
 
-// Tets with edge nodes go to TetrahedraP2, the others to Tetrahedra. A file has the latter first, so
-// hosts in any other order change the order of the tets.
+// Tets with edge nodes go to TetrahedraP2, the others to Tetrahedra. A file has the latter first,
+// so hosts in any other order change the order of the tets.
 void MeditWriter::append_tets() {
     const Attribute* refs = references(Place::cell);
     const CompanionBlock* middles = nullptr;
@@ -100,7 +100,8 @@ void MeditWriter::append_tets() {
     }
     const Index quadratic = middles ? middles->cell_count : 0;
     if (quadratic != 0 && middles->hosts.front() != mesh_.cell_count() - quadratic)
-        left_out_.say("the order of the tets has no place in MEDIT: tets with edge nodes come last");
+        left_out_.say(
+            "the order of the tets has no place in MEDIT: tets with edge nodes come last");
     if (quadratic != mesh_.cell_count() || quadratic == 0) {
         begin_section("Tetrahedra", mesh_.cell_count() - quadratic);
         for (Index c = 0; c < mesh_.cell_count(); ++c) {
@@ -133,8 +134,9 @@ Status MeditWriter::append_polygons() {
         if (std::find(sizes.begin(), sizes.end(), size) == sizes.end()) sizes.push_back(size);
     }
     if (changes > sizes.size())
-        left_out_.say("the order of the cells has no place in MEDIT: triangles and quadrilaterals "
-                      "are apart");
+        left_out_.say(
+            "the order of the cells has no place in MEDIT: triangles and quadrilaterals "
+            "are apart");
     for (const std::size_t size : sizes) {
         Index count = 0;
         for (Index c = 0; c < mesh_.cell_count(); ++c) count += mesh_.cell(c).size() == size;
@@ -191,9 +193,10 @@ void MeditWriter::append_kept() {
     for (const Attribute& attribute : mesh_.attributes) {
         if (attribute.place != Place::mesh || !attribute.name.starts_with(kPrefix)) continue;
         const std::string keyword = attribute.name.substr(kPrefix.size());
-        const bool is_word = !keyword.empty() && std::all_of(keyword.begin(), keyword.end(), [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        });
+        const bool is_word =
+            !keyword.empty() && std::all_of(keyword.begin(), keyword.end(), [](char c) {
+                return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+            });
         const Array& values = attribute.values;
         if (!is_word || (!medit_has_count(keyword) && values.count() != 1)) continue;
         left_out_.take(&attribute);

@@ -18,11 +18,11 @@ struct Format {
 };
 
 constexpr std::array kFormats = {
-    Format{"obj", read_obj, write_obj},         Format{"off", read_off, write_off},
-    Format{"ply", read_ply, write_ply},         Format{"stl", read_stl, write_stl},
-    Format{"msh", read_msh, write_msh},         Format{"mesh", read_medit, write_medit},
-    Format{"vtk", read_vtk, write_vtk},         Format{"vtu", read_vtu, write_vtu},
-    Format{"node", read_tetgen, write_tetgen},  Format{"ele", read_tetgen, write_tetgen},
+    Format{"obj", read_obj, write_obj},        Format{"off", read_off, write_off},
+    Format{"ply", read_ply, write_ply},        Format{"stl", read_stl, write_stl},
+    Format{"msh", read_msh, write_msh},        Format{"mesh", read_medit, write_medit},
+    Format{"vtk", read_vtk, write_vtk},        Format{"vtu", read_vtu, write_vtu},
+    Format{"node", read_tetgen, write_tetgen}, Format{"ele", read_tetgen, write_tetgen},
 };
 
 const Format* format_of(const std::string& path) {

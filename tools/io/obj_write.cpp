@@ -26,7 +26,8 @@ const Attribute* known(const Mesh& mesh, Place place, std::string_view name, std
 }
 
 // Writes usemtl, g, o or s where the value changes. Names are numbered by first appearance when
-// the file is read again, so a name's predecessors are written before it even where no cell has them.
+// the file is read again, so a name's predecessors are written before it even where no cell has
+// them.
 class StateWriter {
   public:
     StateWriter(const Mesh& mesh, std::string keyword, const std::string& attribute, bool named,
@@ -40,8 +41,8 @@ class StateWriter {
         left_out.take(attribute_);
         if (!named) return;
         left_out.take_tag_names(attribute);
-        while (const TagName* tag = find_tag_name(mesh, attribute,
-                                                  static_cast<std::int64_t>(names_.size())))
+        while (const TagName* tag =
+                   find_tag_name(mesh, attribute, static_cast<std::int64_t>(names_.size())))
             names_.push_back(tag->name);
     }
 

@@ -53,14 +53,20 @@ struct Colors {
 
     bool add(Index element, std::span<const double> numbers, bool integers) {
         switch (numbers.size()) {
-            case 0: return true;
-            case 1: map.add(element, numbers, integers); return true;
-            case 3: rgb.add(element, numbers, integers); return true;
+            case 0:
+                return true;
+            case 1:
+                map.add(element, numbers, integers);
+                return true;
+            case 3:
+                rgb.add(element, numbers, integers);
+                return true;
             case 4:
                 rgb.add(element, numbers.first(3), integers);
                 alpha.add(element, numbers.last(1), integers);
                 return true;
-            default: return false;
+            default:
+                return false;
         }
     }
 
@@ -181,7 +187,9 @@ Status OffReader::point(Index p) {
 
 Status OffReader::face(Index f) {
     std::int64_t degree = 0;
-    const auto which = [&] { return "face " + std::to_string(f + 1) + " of " + std::to_string(faces_); };
+    const auto which = [&] {
+        return "face " + std::to_string(f + 1) + " of " + std::to_string(faces_);
+    };
     if (!in_.read(degree) || degree < 0) return in_.expected("the number of corners of " + which());
     if (static_cast<std::uint64_t>(degree) > in_.bytes_left() / 2)
         return in_.error(which() + " has more corners than the file can hold");
@@ -240,7 +248,8 @@ struct ColorWriter {
     ColorWriter(const Mesh& mesh, Place place, LeftOut& left_out) {
         const auto known = [&](std::string_view name, std::uint32_t arity) {
             const Attribute* attribute = find_attribute(mesh, place, name);
-            if (!attribute || attribute->values.arity != arity) return static_cast<const Attribute*>(nullptr);
+            if (!attribute || attribute->values.arity != arity)
+                return static_cast<const Attribute*>(nullptr);
             left_out.take(attribute);
             return attribute;
         };

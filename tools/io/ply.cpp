@@ -23,7 +23,8 @@ std::vector<Index> indices_of(const Array& values) {
     return indices;
 }
 
-// x, y and z side by side, in their own type; the smallest float type that holds all, if they differ.
+// x, y and z side by side, in their own type; the smallest float type that holds all, if they
+// differ.
 Result<Array> positions_of(const PlyElement& vertices, const std::string& path) {
     const PlyProperty* axes[3] = {vertices.find("x", false), vertices.find("y", false),
                                   vertices.find("z", false)};
@@ -111,8 +112,10 @@ void keep_element(PlyElement& element, std::vector<Attribute>& kept) {
         if (property.is_list) {
             keep_list(kept, element, property);
         } else {
-            kept.push_back({std::string(kPrefix) + element.name + ":" + property.name, Place::mesh,
-                            std::move(property.values), {}});
+            kept.push_back({std::string(kPrefix) + element.name + ":" + property.name,
+                            Place::mesh,
+                            std::move(property.values),
+                            {}});
         }
     }
 }
@@ -155,8 +158,9 @@ Result<Mesh> read_ply(const std::string& path) {
     if (!vertices) return Error{Code::unreadable, 0, path + ": the file has no element vertex"};
     if (!file->find("face") && file->find("tristrips"))
         return Error{Code::unreadable, 0,
-                     path + ": its triangles are strips (element tristrips), which are not read; "
-                            "expected an element face"};
+                     path +
+                         ": its triangles are strips (element tristrips), which are not read; "
+                         "expected an element face"};
     for (std::size_t i = 0; i < file->elements.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (file->elements[i].name == file->elements[j].name)
@@ -168,11 +172,13 @@ Result<Mesh> read_ply(const std::string& path) {
     // Whatever the order of the file, this is the order in which a mesh is written.
     std::vector<Attribute> kept;
     const auto order = [](const PlyElement& element) {
-        return element.name == "vertex" ? 0 : element.name == "face" ? 1 : element.name == "edge" ? 2 : 3;
+        return element.name == "vertex" ? 0
+               : element.name == "face" ? 1
+               : element.name == "edge" ? 2
+                                        : 3;
     };
-    std::stable_sort(
-        file->elements.begin(), file->elements.end(),
-        [&](const PlyElement& a, const PlyElement& b) { return order(a) < order(b); });
+    std::stable_sort(file->elements.begin(), file->elements.end(),
+                     [&](const PlyElement& a, const PlyElement& b) { return order(a) < order(b); });
     for (PlyElement& element : file->elements) {
         if (element.name == "vertex") {
             take_columns(mesh, element, Place::point, {"x", "y", "z"}, kept);

@@ -41,12 +41,12 @@ bool scalar_named(std::string_view word, Scalar& scalar) {
         Scalar scalar;
     };
     static constexpr Name kNames[] = {
-        {"char", Scalar::i8},      {"int8", Scalar::i8},      {"uchar", Scalar::u8},
-        {"uint8", Scalar::u8},     {"short", Scalar::i16},    {"int16", Scalar::i16},
-        {"ushort", Scalar::u16},   {"uint16", Scalar::u16},   {"int", Scalar::i32},
-        {"int32", Scalar::i32},    {"uint", Scalar::u32},     {"uint32", Scalar::u32},
-        {"float", Scalar::f32},    {"float32", Scalar::f32},  {"double", Scalar::f64},
-        {"float64", Scalar::f64},  {"int64", Scalar::i64},    {"uint64", Scalar::u64}};
+        {"char", Scalar::i8},     {"int8", Scalar::i8},     {"uchar", Scalar::u8},
+        {"uint8", Scalar::u8},    {"short", Scalar::i16},   {"int16", Scalar::i16},
+        {"ushort", Scalar::u16},  {"uint16", Scalar::u16},  {"int", Scalar::i32},
+        {"int32", Scalar::i32},   {"uint", Scalar::u32},    {"uint32", Scalar::u32},
+        {"float", Scalar::f32},   {"float32", Scalar::f32}, {"double", Scalar::f64},
+        {"float64", Scalar::f64}, {"int64", Scalar::i64},   {"uint64", Scalar::u64}};
     for (const Name& name : kNames)
         if (name.word == word) {
             scalar = name.scalar;
@@ -123,10 +123,14 @@ Status PlyReader::header() {
         if (word == "end_header") break;
         if (word == "format") {
             const std::string_view name = in_.line_word();
-            if (name == "ascii") encoding_ = Encoding::text;
-            else if (name == "binary_little_endian") encoding_ = Encoding::little;
-            else if (name == "binary_big_endian") encoding_ = Encoding::big;
-            else return in_.expected("ascii, binary_little_endian or binary_big_endian");
+            if (name == "ascii")
+                encoding_ = Encoding::text;
+            else if (name == "binary_little_endian")
+                encoding_ = Encoding::little;
+            else if (name == "binary_big_endian")
+                encoding_ = Encoding::big;
+            else
+                return in_.expected("ascii, binary_little_endian or binary_big_endian");
             has_format = true;
         } else if (word == "comment" || word == "obj_info") {
             const std::string key = "ply:" + std::string(word);
@@ -224,8 +228,8 @@ Status PlyReader::rows(PlyElement& element) {
         return row_error("element " + element.name + " has rows, but no properties");
     }
     if (element.count > (in_.bytes_left() + 1) / smallest)
-        return row_error("element " + element.name + " promises " +
-                         std::to_string(element.count) + " rows, more than the file can hold");
+        return row_error("element " + element.name + " promises " + std::to_string(element.count) +
+                         " rows, more than the file can hold");
     for (PlyProperty& property : element.properties) {
         if (property.is_list) property.begin.reserve(element.count + 1);
         property.values.bytes.reserve(element.count * size_of(property.type));
@@ -259,9 +263,10 @@ Status PlyReader::check_points(const PlyElement& element) const {
         if (bad == property.values.count()) continue;
         std::size_t row = bad;
         if (property.is_list)
-            row = static_cast<std::size_t>(std::upper_bound(property.begin.begin(),
-                                                            property.begin.end(), bad) -
-                                           property.begin.begin()) - 1;
+            row = static_cast<std::size_t>(
+                      std::upper_bound(property.begin.begin(), property.begin.end(), bad) -
+                      property.begin.begin()) -
+                  1;
         std::int64_t number = 0;
         integer_at(property.values, bad, number);
         const std::string sentence = element.name + " " + std::to_string(row) + " names vertex " +

@@ -12,16 +12,26 @@ namespace {
 
 const char* ply_name(Scalar scalar) {
     switch (scalar) {
-        case Scalar::u8: return "uchar";
-        case Scalar::i8: return "char";
-        case Scalar::u16: return "ushort";
-        case Scalar::i16: return "short";
-        case Scalar::u32: return "uint";
-        case Scalar::i32: return "int";
-        case Scalar::f32: return "float";
-        case Scalar::f64: return "double";
-        case Scalar::u64: return "uint64";  // beyond the format's first description, but usual
-        case Scalar::i64: return "int64";
+        case Scalar::u8:
+            return "uchar";
+        case Scalar::i8:
+            return "char";
+        case Scalar::u16:
+            return "ushort";
+        case Scalar::i16:
+            return "short";
+        case Scalar::u32:
+            return "uint";
+        case Scalar::i32:
+            return "int";
+        case Scalar::f32:
+            return "float";
+        case Scalar::f64:
+            return "double";
+        case Scalar::u64:
+            return "uint64";  // beyond the format's first description, but usual
+        case Scalar::i64:
+            return "int64";
     }
     return "uchar";
 }
@@ -40,8 +50,7 @@ void append_header(std::string& out, const PlyFile& file, bool binary) {
         out += "element " + element.name + " " + std::to_string(element.count) + "\n";
         for (const PlyProperty& property : element.properties) {
             out += "property ";
-            if (property.is_list)
-                out += "list " + std::string(ply_name(property.count_type)) + " ";
+            if (property.is_list) out += "list " + std::string(ply_name(property.count_type)) + " ";
             out += ply_name(property.type);
             out += " " + property.name + "\n";
         }

@@ -42,8 +42,11 @@ void add_list(PlyElement& element, std::string name, Array values, std::vector<I
     PlyProperty property = column(std::move(name), std::move(values));
     property.is_list = true;
     Index longest = 0;
-    for (std::size_t r = 1; r < begin.size(); ++r) longest = std::max(longest, begin[r] - begin[r - 1]);
-    property.count_type = longest <= 255 ? Scalar::u8 : longest <= 2147483647 ? Scalar::i32 : Scalar::u64;
+    for (std::size_t r = 1; r < begin.size(); ++r)
+        longest = std::max(longest, begin[r] - begin[r - 1]);
+    property.count_type = longest <= 255          ? Scalar::u8
+                          : longest <= 2147483647 ? Scalar::i32
+                                                  : Scalar::u64;
     property.begin = std::move(begin);
     if (property.begin.empty()) property.begin = {0};
     element.properties.push_back(std::move(property));
@@ -80,7 +83,8 @@ void add_columns(PlyElement& element, const Mesh& mesh, Place place,
                 name += '.';
                 append_number(name, k);
             }
-            element.properties.push_back(column(std::move(name), component(attribute, elements, k)));
+            element.properties.push_back(
+                column(std::move(name), component(attribute, elements, k)));
         }
     }
 }
@@ -101,8 +105,10 @@ void add_corner_list(PlyElement& faces, const Mesh& mesh, const Attribute& attri
             const Index tuple = tuple_of(attribute, corner);
             if (tuple == kNoIndex) continue;
             ++with;
-            const auto from = attribute.values.bytes.begin() + static_cast<std::ptrdiff_t>(tuple * stride);
-            values.bytes.insert(values.bytes.end(), from, from + static_cast<std::ptrdiff_t>(stride));
+            const auto from =
+                attribute.values.bytes.begin() + static_cast<std::ptrdiff_t>(tuple * stride);
+            values.bytes.insert(values.bytes.end(), from,
+                                from + static_cast<std::ptrdiff_t>(stride));
         }
         if (with != 0 && with != last - first) return;
         begin.push_back(values.count());
@@ -130,7 +136,8 @@ void add_kept(PlyFile& file, const Mesh& mesh, LeftOut& left_out) {
             for (std::size_t r = 0; r < counts->values.count(); ++r) {
                 std::int64_t count = 0;
                 integer_at(counts->values, r, count);
-                begin.push_back(begin.back() + static_cast<Index>(std::max<std::int64_t>(count, 0)));
+                begin.push_back(begin.back() +
+                                static_cast<Index>(std::max<std::int64_t>(count, 0)));
             }
             if (begin.back() != attribute.values.count()) continue;
         }

@@ -30,8 +30,7 @@ class PointNumbers {
         if (2 * (points_.size() + 1) > slots_.size()) grow();
         std::size_t slot = hash(point) & (slots_.size() - 1);
         while (slots_[slot] != kNoIndex) {
-            if (std::memcmp(&points_[slots_[slot]], &point, sizeof point) == 0)
-                return slots_[slot];
+            if (std::memcmp(&points_[slots_[slot]], &point, sizeof point) == 0) return slots_[slot];
             slot = (slot + 1) & (slots_.size() - 1);
         }
         slots_[slot] = points_.size();
@@ -121,8 +120,7 @@ Result<Mesh> read_binary(std::string_view bytes, const std::string& path) {
     mesh.positions = array_of(flat(numbers.points()), 3);
     if (!all_zero(normals.bytes))
         add_attribute(mesh, "stl:normal", Place::cell, std::move(normals));
-    if (!all_zero(extra.bytes))
-        add_attribute(mesh, "stl:attribute", Place::cell, std::move(extra));
+    if (!all_zero(extra.bytes)) add_attribute(mesh, "stl:attribute", Place::cell, std::move(extra));
     if (std::string words = header_words(bytes.substr(0, kHeader)); !words.empty())
         mesh.notes.push_back({"stl:header", std::move(words)});
     return mesh;
@@ -223,8 +221,7 @@ Status check_triangles(const Mesh& mesh, const std::string& path) {
 
 const Attribute* facet_attribute(const Mesh& mesh, std::string_view name, std::uint32_t arity) {
     const Attribute* attribute = find_attribute(mesh, Place::cell, name);
-    const bool fits =
-        attribute && attribute->values.arity == arity && attribute->index.empty();
+    const bool fits = attribute && attribute->values.arity == arity && attribute->index.empty();
     return fits ? attribute : nullptr;
 }
 
@@ -253,13 +250,19 @@ Status write_text(const Mesh& mesh, const std::string& path, LeftOut& left_out) 
         out += before;
         for (std::size_t k = 0; k < 3; ++k) {
             out += ' ';
-            if (array) append_number(out, *array, 3 * i + k);
-            else out += '0';
+            if (array)
+                append_number(out, *array, 3 * i + k);
+            else
+                out += '0';
         }
         out += '\n';
     };
-    const auto begin = [&] { out += solid_name.empty() ? "solid\n" : "solid " + solid_name + "\n"; };
-    const auto end = [&] { out += solid_name.empty() ? "endsolid\n" : "endsolid " + solid_name + "\n"; };
+    const auto begin = [&] {
+        out += solid_name.empty() ? "solid\n" : "solid " + solid_name + "\n";
+    };
+    const auto end = [&] {
+        out += solid_name.empty() ? "endsolid\n" : "endsolid " + solid_name + "\n";
+    };
     std::int64_t now = 0;
     const auto named = [&](std::int64_t number) {
         const TagName* tag = find_tag_name(mesh, "stl:solid", number);
@@ -325,9 +328,9 @@ Status write_binary(const Mesh& mesh, const std::string& path, LeftOut& left_out
             for (std::size_t k = 0; k < 3; ++k, at += 4) {
                 float value = 0;
                 if (!as_float(mesh.positions, 3 * p + k, value))
-                    return cannot_hold(path, "binary STL holds float32, and a coordinate of point " +
-                                                 std::to_string(p) +
-                                                 " is not one; STL as text holds it");
+                    return cannot_hold(path,
+                                       "binary STL holds float32, and a coordinate of point " +
+                                           std::to_string(p) + " is not one; STL as text holds it");
                 std::memcpy(facet.data() + at, &value, 4);
             }
         if (extra) std::memcpy(facet.data() + 48, extra->values.bytes.data() + 2 * c, 2);
@@ -350,8 +353,8 @@ Status write_stl(const Mesh& mesh, const std::string& path, const WriteOptions& 
     if (Status status = check_triangles(mesh, path); !status) return status;
     LeftOut left_out(mesh, "STL");
     tell_points(mesh, left_out);
-    Status status = options.binary ? write_binary(mesh, path, left_out)
-                                   : write_text(mesh, path, left_out);
+    Status status =
+        options.binary ? write_binary(mesh, path, left_out) : write_text(mesh, path, left_out);
     left_out.report(left_out_sentences);
     return status;
 }

@@ -166,8 +166,7 @@ Status TetgenReader::nodes() {
     if (reals > text->size() || promised_markers > text->size())
         return table.error("the header promises more columns than the file can hold");
     // TetGen accepts a header that promises markers which the rows don't have.
-    const std::uint64_t markers =
-        table.words_of_first_row() == 4 + reals ? 0 : promised_markers;
+    const std::uint64_t markers = table.words_of_first_row() == 4 + reals ? 0 : promised_markers;
     if (Status status = table.check_size(4 + reals + markers); !status) return status;
 
     std::vector<double> positions(3 * points);
@@ -270,9 +269,11 @@ Status TetgenReader::companions(const std::string& path, Companions& kind) {
     const std::uint64_t markers = words == 1 + nodes ? 0 : promised_markers;
     if (Status status = table.check_size(1 + nodes + markers); !status) return status;
     // More columns name neighbours (of faces: two tets); they are kept as they are.
-    const std::size_t more = cell_count != 0 && words > 1 + nodes + markers ? words - 1 - nodes - markers : 0;
+    const std::size_t more =
+        cell_count != 0 && words > 1 + nodes + markers ? words - 1 - nodes - markers : 0;
 
-    CompanionBlock block{quadratic ? kind.quadratic_type : kind.vtk_type, nodes, cell_count, {}, {}};
+    CompanionBlock block{
+        quadratic ? kind.quadratic_type : kind.vtk_type, nodes, cell_count, {}, {}};
     block.nodes.resize(cell_count * nodes);
     std::vector<std::int64_t> neighbours;
     kind.marked = markers != 0;

@@ -139,8 +139,8 @@ Status TetgenWriter::companions(const std::string& path, const std::string& name
     Index count = 0, first = 0;
     for (std::size_t b = 0; b < mesh_.companions.size(); ++b) {
         const CompanionBlock& block = mesh_.companions[b];
-        const bool fits = block.vtk_type == types.first ||
-                          (block.vtk_type == types.second && quadratic_);
+        const bool fits =
+            block.vtk_type == types.first || (block.vtk_type == types.second && quadratic_);
         if (!fits || (type != 0 && type != block.vtk_type)) continue;
         type = block.vtk_type;
         nodes = block.nodes_per_cell;
@@ -149,7 +149,8 @@ Status TetgenWriter::companions(const std::string& path, const std::string& name
     }
     if (type == 0) {
         if (file_exists(path))
-            left_out_.say("an older file " + path + " lies beside, and would be read with this mesh");
+            left_out_.say("an older file " + path +
+                          " lies beside, and would be read with this mesh");
         return Done{};
     }
     bool marked = markers_ != nullptr;

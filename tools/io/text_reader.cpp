@@ -8,12 +8,20 @@ namespace ravel::io {
 
 namespace {
 
-constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+constexpr bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
 
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+constexpr char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
 
-float string_to(const char* text, char** stop, float) { return std::strtof(text, stop); }
-double string_to(const char* text, char** stop, double) { return std::strtod(text, stop); }
+float string_to(const char* text, char** stop, float) {
+    return std::strtof(text, stop);
+}
+double string_to(const char* text, char** stop, double) {
+    return std::strtod(text, stop);
+}
 
 // What std::from_chars does not take: numbers out of range and 'D' exponents.
 template <class T>
@@ -43,8 +51,12 @@ bool parse_any_real(std::string_view word, T& value) {
 
 }  // namespace
 
-bool parse_real(std::string_view word, double& value) { return parse_any_real(word, value); }
-bool parse_real(std::string_view word, float& value) { return parse_any_real(word, value); }
+bool parse_real(std::string_view word, double& value) {
+    return parse_any_real(word, value);
+}
+bool parse_real(std::string_view word, float& value) {
+    return parse_any_real(word, value);
+}
 
 std::string lower_case(std::string_view word) {
     std::string lowered(word);
@@ -76,8 +88,7 @@ void TextReader::skip_blanks_in_line() {
         if (is_blank(c)) {
             ++at_;
         } else if (c == rules_.comment && c != '\0') {
-            const void* stop =
-                std::memchr(at_, line_end_, static_cast<std::size_t>(end_ - at_));
+            const void* stop = std::memchr(at_, line_end_, static_cast<std::size_t>(end_ - at_));
             at_ = stop ? static_cast<const char*>(stop) : end_;
             return;
         } else if (c == '\\' && rules_.continued_lines) {

@@ -42,7 +42,8 @@ class TextReader {
     std::string_view word();
     std::string_view peek();  // the next word, which stays
     bool at_end() { return peek().empty(); }
-    // The next word as a number; false (then `expected` tells) when there is none or it is no number.
+    // The next word as a number; false (then `expected` tells) when there is none or it is no
+    // number.
     template <class T>
     bool read(T& value) {
         return take_number(word(), value);
