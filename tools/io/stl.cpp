@@ -30,6 +30,7 @@ class PointNumbers {
         if (2 * (points_.size() + 1) > slots_.size()) grow();
         std::size_t slot = hash(point) & (slots_.size() - 1);
         while (slots_[slot] != kNoIndex) {
+            // Bits and not values: 0 and -0 are two points, a NaN equals itself.
             if (std::memcmp(&points_[slots_[slot]], &point, sizeof point) == 0) return slots_[slot];
             slot = (slot + 1) & (slots_.size() - 1);
         }
