@@ -18,8 +18,8 @@ constexpr std::array<std::uint8_t, 18> kWedge18 = {0,  1,  2,  3, 4,  5,  6,  9,
                                                    12, 14, 13, 8, 10, 11, 15, 17, 16};
 constexpr std::array<std::uint8_t, 13> kPyramid13 = {0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12};
 
-// Elements without a VTK type of their own are VTK's Lagrange cells (68 curve, 69 triangle, 70 quad,
-// 71 tet, 72 hexahedron, 74 pyramid) of the same node count.
+// Elements without a VTK type of their own are VTK's Lagrange cells (68 curve, 69 triangle, 70
+// quad, 71 tet, 72 hexahedron, 74 pyramid) of the same node count.
 constexpr std::array kTypes = {
     GmshType{1, 3, 2, 1, {}},         GmshType{2, 5, 3, 2, {}},
     GmshType{3, 9, 4, 2, {}},         GmshType{4, 10, 4, 3, {}},

@@ -180,7 +180,8 @@ bool entities_agree(const Building& b, const ElementTags& tags) {
     std::map<EntityKey, std::int32_t> physical;
     for (std::int32_t d = 0; d < 4; ++d) {
         for (const MshEntity& entity : b.file.entities[static_cast<std::size_t>(d)]) {
-            if (!entity.physical.empty()) physical.emplace(EntityKey{d, entity.tag}, entity.physical[0]);
+            if (entity.physical.empty()) continue;
+            physical.emplace(EntityKey{d, entity.tag}, entity.physical[0]);
         }
     }
     for (Index c = 0; c < b.file.cells.count(); ++c) {
@@ -282,7 +283,8 @@ void add_data(Building& b, Place place, const std::string& name, const Array& va
         const Index tuple = index.empty() ? i : index[i];
         if (tuple == kNoIndex) continue;
         data.tags.push_back(tags[i]);
-        const auto from = values.bytes.begin() + static_cast<std::ptrdiff_t>(tuple * values.stride());
+        const auto from =
+            values.bytes.begin() + static_cast<std::ptrdiff_t>(tuple * values.stride());
         data.values.bytes.insert(data.values.bytes.end(), from,
                                  from + static_cast<std::ptrdiff_t>(values.stride()));
     }

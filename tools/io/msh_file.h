@@ -1,5 +1,5 @@
-// What a Gmsh MSH file holds, the same for versions 2.2 and 4.1 and for text and binary: readers fill
-// it, writers empty it, and it maps on a Mesh.
+// What a Gmsh MSH file holds, the same for versions 2.2 and 4.1 and for text and binary: readers
+// fill it, writers empty it, and it maps on a Mesh.
 #pragma once
 
 #include <array>

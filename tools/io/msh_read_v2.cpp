@@ -117,7 +117,9 @@ Status read_elements_v2(MshInput& in, const TagLookup& nodes, MshFile& file) {
         // Text has tag, type and tag count on each line; binary a header for a run of elements.
         if (!in.binary && !in.get(tag)) return in.missing("the tag of an element");
         if (!in.get_as<std::int32_t>(type)) return in.missing("the type of an element");
-        if (in.binary && !in.get_as<std::int32_t>(follow)) return in.missing("a number of elements");
+        if (in.binary && !in.get_as<std::int32_t>(follow)) {
+            return in.missing("a number of elements");
+        }
         if (!in.get_as<std::int32_t>(tags)) return in.missing("the number of an element's tags");
         const Result<const GmshType*> known = known_type(in, type);
         if (!known) return known.error();

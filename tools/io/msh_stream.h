@@ -22,7 +22,7 @@ class MshInput {
     bool binary = false;
     bool swapped = false;  // the other byte order
 
-    // The next number; false where there is none (see `missing`). Binary numbers are of type Stored.
+    // The next number; false where there is none, see `missing`. Binary ones are of type Stored.
     template <class Stored, class T>
     bool get_as(T& value) {
         if (!binary) return text.read(value);

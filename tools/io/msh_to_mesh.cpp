@@ -53,7 +53,9 @@ std::vector<CellData> columns_of_entities(const MshFile& file) {
         const GmshType* type = gmsh_type_of(file.cells.types[c], file.cells.cell(c).size());
         usual = usual && type && type->dimension == file.element_dimensions[c];
     }
-    if (!usual) columns.push_back({kGmshElementDimension, array_of(file.element_dimensions, 1), {}});
+    if (!usual) {
+        columns.push_back({kGmshElementDimension, array_of(file.element_dimensions, 1), {}});
+    }
 
     std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> physical;
     for (std::int32_t dimension = 0; dimension < 4; ++dimension) {

@@ -1,7 +1,10 @@
 #include "io/typed_values.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <limits>
 
 #include "io/attributes.h"
 #include "io/decimals.h"
@@ -29,10 +32,44 @@ Result<Array> read_integers(TextReader& text, std::uint32_t arity, Index numbers
     Array array{scalar_of<T>(), arity, {}};
     array.bytes.resize(numbers * sizeof(T));
     for (T& value : array.as<T>()) {
-        if (!text.read(value)) return text.expected("a " + std::string(name_of(array.scalar)) +
-                                                    " number of " + what);
+        if (text.read(value)) continue;
+        return text.expected(std::string("a number of type ") + name_of(array.scalar) + " of " +
+                             what);
     }
     return array;
+}
+
+// Is the number the nearest float32, written with as many digits as the word has?
+bool spells_float32(std::string_view word, double value) {
+    if (survives_float32(value)) return true;
+    if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
+    int digits = 0;
+    for (const char c : word) {
+        if (c == 'e' || c == 'E' || c == 'd' || c == 'D') break;
+        // Zeros in front do not count.
+        if (c >= '0' && c <= '9' && (digits > 0 || c != '0')) ++digits;
+    }
+    if (digits == 0) return false;
+    char printed[64];
+    const int size = std::snprintf(printed, sizeof printed, "%.*e", std::min(digits, 40) - 1,
+                                   static_cast<double>(static_cast<float>(value)));
+    double back = 0;
+    return size > 0 && size < static_cast<int>(sizeof printed) && parse_real(printed, back) &&
+           back == value;
+}
+
+// The type says float: float32 if that is what all the decimals were printed from.
+Result<Array> read_floats(TextReader& text, std::uint32_t arity, Index numbers,
+                          const std::string& what) {
+    std::vector<double> reals(numbers);
+    bool narrow = true;
+    for (double& real : reals) {
+        const std::string_view word = text.word();
+        if (!parse_real(word, real)) return text.expected("a number of " + what);
+        narrow = narrow && spells_float32(word, real);
+    }
+    if (!narrow) return array_of(reals, arity);
+    return array_of(std::vector<float>(reals.begin(), reals.end()), arity);
 }
 
 }  // namespace
@@ -68,12 +105,12 @@ Result<Array> read_values(TextReader& text, Scalar scalar, std::uint32_t arity, 
         case Scalar::i32: return read_integers<std::int32_t>(text, arity, numbers, what);
         case Scalar::u64: return read_integers<std::uint64_t>(text, arity, numbers, what);
         case Scalar::i64: return read_integers<std::int64_t>(text, arity, numbers, what);
-        case Scalar::f32:
+        case Scalar::f32: return read_floats(text, arity, numbers, what);
         case Scalar::f64: break;
     }
     Result<std::vector<double>> reals = read_reals(text, numbers, what);
     if (!reals) return reals.error();
-    return scalar == Scalar::f64 ? array_of(*reals, arity) : floats_from_text(*reals, arity);
+    return array_of(*reals, arity);
 }
 
 Result<Array> take_values(TextReader& bytes, Scalar scalar, std::uint32_t arity, Index tuples,
@@ -82,8 +119,8 @@ Result<Array> take_values(TextReader& bytes, Scalar scalar, std::uint32_t arity,
     Index size = 0;
     if (!multiply(tuples, array.stride(), size) || size > bytes.bytes_left()) {
         return byte_error(bytes.file(), bytes.offset(),
-                          what + " needs " + std::to_string(tuples) + " tuples of " +
-                              std::to_string(array.stride()) + " bytes, but only " +
+                          std::to_string(tuples) + " tuples of " + std::to_string(array.stride()) +
+                              " bytes are announced for " + what + ", but only " +
                               std::to_string(bytes.bytes_left()) + " bytes are left");
     }
     const std::string_view raw = bytes.take(size);

@@ -18,7 +18,7 @@ namespace ravel::io {
 void swap_bytes(std::span<std::byte> bytes, std::size_t scalar_size);
 
 // `count` numbers from text, or the error that names the line and `what`. Integers must fit the
-// type; f32 becomes f64 where float32 would round a number that the text spells out.
+// type; f32 becomes f64 where a decimal was not printed from a float32 (by any number of digits).
 Result<std::vector<double>> read_reals(TextReader& text, Index count, const std::string& what);
 Result<Array> read_values(TextReader& text, Scalar scalar, std::uint32_t arity, Index tuples,
                           const std::string& what);
@@ -27,7 +27,7 @@ Result<Array> read_values(TextReader& text, Scalar scalar, std::uint32_t arity, 
 Result<Array> take_values(TextReader& bytes, Scalar scalar, std::uint32_t arity, Index tuples,
                           bool swapped, const std::string& what);
 
-// Numbers of any integer type as indices, or the number of the first that is negative or no integer.
+// Numbers of any integer type as indices; the error is at the first that is negative or a float.
 Result<std::vector<Index>> as_indices(const Array& array);
 
 // The numbers as decimals, `per_line` tuples a line.

@@ -60,7 +60,8 @@ bool is_about_files(const std::string& key) {
 void gather_words(const Mesh& mesh, LeftOut& left_out, std::vector<NamedArray>& field) {
     for (const Note& note : mesh.notes) {
         left_out.take_notes(note.key);
-        if (!is_about_files(note.key)) field.push_back({kNoteArray + note.key, text_array(note.text)});
+        if (is_about_files(note.key)) continue;
+        field.push_back({kNoteArray + note.key, text_array(note.text)});
     }
     for (const TagName& tag : mesh.tag_names) {
         left_out.take_tag_names(tag.attribute);
@@ -77,7 +78,8 @@ bool take_words(const NamedArray& array, Mesh& mesh) {
                            array.values.bytes.size());
     const std::string_view name = array.name;
     if (name.starts_with(kNoteArray)) {
-        mesh.notes.push_back({std::string(name.substr(std::string_view(kNoteArray).size())), text});
+        const std::size_t prefix = std::string_view(kNoteArray).size();
+        mesh.notes.push_back({std::string(name.substr(prefix)), text});
         return true;
     }
     if (!name.starts_with(kTagArray)) return false;

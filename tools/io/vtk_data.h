@@ -1,5 +1,5 @@
-// Point, cell and field data as VTK files have them (one tuple per point or cell, under a name), and
-// how they map on the attributes of a Mesh. Legacy VTK and VTU share it.
+// Point, cell and field data as VTK files have them (one tuple per point or cell, under a name),
+// and how they map on the attributes of a Mesh. Legacy VTK and VTU share it.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ struct VtkData {
     std::vector<NamedArray> field;
 };
 
-// VTK has a value for every point and cell. Where an attribute has none the writer puts zeros, and a
-// field array of this name tells by 1 and 0 where the values are real; readers take it back.
+// VTK has a value for every point and cell. Where an attribute has none the writer puts zeros, and
+// a field array of this name tells by 1 and 0 where the values are real; readers take it back.
 inline constexpr const char* kPresentOnPoints = "ravel:present:point:";
 inline constexpr const char* kPresentOnCells = "ravel:present:cell:";
 
@@ -36,7 +36,8 @@ inline constexpr const char* kTagArray = "ravel:tag:";
 // The arrays to write for the mesh's attributes; what VTK has no place for stays in `left_out`.
 VtkData gather_vtk_data(const Mesh& mesh, LeftOut& left_out);
 
-// Splits the cells, adds the arrays as attributes, and notes and names. Arrays must have the right tuple counts.
+// Splits the cells, adds the arrays as attributes, and notes and names. Arrays must have the right
+// tuple counts.
 void attach_vtk_data(const CellList& cells, VtkData data, Mesh& mesh);
 
 // Positions from any scalar type; the error tells which of the numbers float64 can't hold.

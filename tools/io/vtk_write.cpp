@@ -206,7 +206,8 @@ Status write_vtk(const Mesh& mesh, const std::string& path, const WriteOptions& 
     if (large && number < "5") number = "5.1";
 
     Writing file{{}, options.binary, number >= "5"};
-    file.out = "# vtk DataFile Version " + number + '\n' + (title ? one_line(title->text) : kVtkTitle) +
+    file.out = "# vtk DataFile Version " + number + '\n' +
+               (title ? one_line(title->text) : kVtkTitle) +
                (file.binary ? "\nBINARY\n" : "\nASCII\n");
     PolydataRanges ranges;
     const bool polydata = fits_polydata(*cells, mesh, ranges);

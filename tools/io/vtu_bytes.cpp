@@ -143,7 +143,8 @@ Result<std::string> read_blocks(VtuSource& source, const VtuCoding& coding) {
         return short_header;
     }
     if (blocks > source.bound() / (coding.header_64 ? 8 : 4)) {
-        return broken(std::to_string(blocks) + " blocks are announced, more than the file can hold");
+        return broken(std::to_string(blocks) +
+                      " blocks are announced, more than the file can hold");
     }
     std::vector<std::uint64_t> sizes(blocks);
     for (std::uint64_t& size : sizes) {

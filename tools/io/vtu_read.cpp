@@ -52,7 +52,8 @@ Result<Index> read_count(const VtuFile& file, const pugi::xml_node& node, const 
     Index count = 0;
     TextReader word(attribute.value(), file.path);
     if (!word.read(count)) {
-        return error_at(file, node, std::string(name) + "=\"" + attribute.value() + "\" is no count");
+        return error_at(file, node,
+                        std::string(name) + "=\"" + attribute.value() + "\" is no count");
     }
     return count;
 }
@@ -182,7 +183,8 @@ Status join_arrays(const VtuFile& file, const pugi::xml_node& node, bool first,
         const Array& a = all[i].values;
         const Array& b = more[i].values;
         same = all[i].name == more[i].name && a.scalar == b.scalar && a.arity == b.arity;
-        if (same) all[i].values.bytes.insert(all[i].values.bytes.end(), b.bytes.begin(), b.bytes.end());
+        if (!same) break;
+        all[i].values.bytes.insert(all[i].values.bytes.end(), b.bytes.begin(), b.bytes.end());
     }
     if (!same) return error_at(file, node, "the arrays of this piece are not those of the first");
     return Done{};
