@@ -1,7 +1,7 @@
 // Walks the mesh by the walker's own rule (mesh/exit_rule.h): into the first unvisited neighbour in exit
 // order. At a dead end the walk resumes at the last visited cell that still has an unvisited neighbour, with a
-// new path. A neighbour with at most one way on goes first, as in Warnsdorff's rule [Pohl1967]: passed by, it would
-// be a dead end or a pocket of one cell.
+// new path. A neighbour with fewer ways on than `look_ahead` goes first, as in Warnsdorff's rule [Pohl1967]: with no way
+// on it would become a pocket of one cell, with one a dead end.
 // Cost: linear in facets.
 #include "strip/steered.h"
 

@@ -8,7 +8,7 @@
 namespace ravel {
 
 struct SteerOptions {
-    Id look_ahead = 2;  // neighbours with fewer ways on than this go before the rule's choice
+    Id look_ahead = 1;  // neighbours with fewer ways on than this go before the rule's choice
 };
 
 // The cells in the order of the walk, and the facet by which the path came to each: kNone where a path starts.
