@@ -1,7 +1,7 @@
 """Volume formats against another implementation.
 
-meshio writes meshes, `ravel_convert` converts them, meshio reads both; points, cells and data must be
-the same. Usage: meshio_volume_check.py RAVEL_CONVERT
+meshio writes meshes, `ravel_convert` converts them, meshio reads both; points, cells and data must
+be the same. Usage: meshio_volume_check.py RAVEL_CONVERT
 """
 
 import pathlib
@@ -123,7 +123,8 @@ def flat(mesh):
 
 def same(a, b):
     """Are the values equal, NaN and -0 included? Decimals of float32 are those of the nearest one."""
-    number = np.float32 if np.asarray(a).dtype == np.float32 else np.float64
+    a = np.asarray(a)
+    number = np.float32 if a.dtype.kind == "f" and a.dtype.itemsize == 4 else np.float64
     a, b = np.asarray(a, dtype=number), np.asarray(b, dtype=number)
     return a.size == b.size and a.tobytes() == b.reshape(a.shape).tobytes()
 

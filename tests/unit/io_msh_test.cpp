@@ -181,11 +181,11 @@ TEST_CASE("MSH that is wrong gets one line that says where", "[io][msh]") {
     CHECK(error("$MeshFormat\n4.0 0 8\n") ==
           "a.msh:2: MSH version '4.0' is not supported; 2.2 and 4.1 are");
     CHECK(error(v2("$Elements\n1\n1 4 0 1 2 3 9\n$EndElements\n")) ==
-          "a.msh:12: element 1 uses node 9, which is not there");
+          "a.msh:13: element 1 uses node 9, which is not there");
     CHECK(error(v2("$Elements\n1\n1 99 0 1\n$EndElements\n")) ==
-          "a.msh:12: elements of Gmsh type 99 are not supported");
+          "a.msh:13: elements of Gmsh type 99 are not supported");
     CHECK(error(v2("$Elements\n99999999999\n")) ==
-          "a.msh:11: 99999999999 elements are announced, more than the file can hold");
+          "a.msh:12: 99999999999 elements are announced, more than the file can hold");
     CHECK(error(std::string(kHead2) + "$Nodes\n2\n1 0 0 0\n1 0 0 0\n$EndNodes\n") ==
           "a.msh:7: node 1 is there twice");
     CHECK(error(v4("$Elements\n1 5 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n")) ==

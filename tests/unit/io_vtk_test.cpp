@@ -114,9 +114,9 @@ TEST_CASE("VTK attributes on one side only come back there only", "[io][vtk]") {
     mesh.positions = make_array(Scalar::f32, 3, 4);
     mesh.corners = {0, 1, 2, 3, 3, 2, 1, 0};
     mesh.companions.push_back({5, 3, 1, {0, 1, 2}, {}});
-    io::add_attribute(mesh, "on cells", Place::cell, make_array(Scalar::f32, 2, 2));
     io::add_attribute(mesh, "some", Place::point, make_array(Scalar::i16, 1, 1),
                       {kNoIndex, 0, kNoIndex, kNoIndex});
+    io::add_attribute(mesh, "on cells", Place::cell, make_array(Scalar::f32, 2, 2));
     mesh.tag_names.push_back({"gmsh:physical", 2, -7, "wall"});
     mesh.notes.push_back({"words", "two\nlines"});
     for (const bool binary : {false, true}) {

@@ -108,9 +108,9 @@ TEST_CASE("VTU that is wrong gets one line that says where", "[io][vtu]") {
     CHECK(error(vtu(tet("0"), "compressor=\"vtkZip\"")) ==
           "a.vtu:2: compressor \"vtkZip\" is unknown");
     CHECK(error(vtu(tet("0", "42"))) ==
-          "a.vtu:12: polyhedra (VTK cell type 42) are not supported (cell 0)");
+          "a.vtu:11: polyhedra (VTK cell type 42) are not supported (cell 0)");
     CHECK(error(vtu(tet("0", "10", "0 1 2 4"))) ==
-          "a.vtu:12: a cell uses point 4, but the piece has only 4");
+          "a.vtu:11: a cell uses point 4, but the piece has only 4");
     CHECK(error(vtu(tet("zero"))) == "a.vtu:9: expected a number of '', found 'zero'");
     CHECK(error(vtu(tet("0")).substr(0, 300)).starts_with("a.vtu:"));
 }

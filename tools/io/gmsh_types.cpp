@@ -6,6 +6,8 @@ namespace ravel::io {
 
 namespace {
 
+// The first triangle of VTK's wedge looks outward, that of Gmsh's prism inward.
+constexpr std::array<std::uint8_t, 6> kWedge6 = {0, 2, 1, 3, 5, 4};
 constexpr std::array<std::uint8_t, 10> kTet10 = {0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 constexpr std::array<std::uint8_t, 20> kHex20 = {0, 1,  2,  3,  4,  5,  6,  7,  8,  11,
                                                  13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
