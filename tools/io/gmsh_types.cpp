@@ -25,7 +25,7 @@ constexpr std::array<std::uint8_t, 13> kPyramid13 = {0, 1, 2, 3, 4, 5, 8, 10, 6,
 constexpr std::array kTypes = {
     GmshType{1, 3, 2, 1, {}},         GmshType{2, 5, 3, 2, {}},
     GmshType{3, 9, 4, 2, {}},         GmshType{4, 10, 4, 3, {}},
-    GmshType{5, 12, 8, 3, {}},        GmshType{6, 13, 6, 3, {}},
+    GmshType{5, 12, 8, 3, {}},        GmshType{6, 13, 6, 3, kWedge6},
     GmshType{7, 14, 5, 3, {}},        GmshType{8, 21, 3, 1, {}},
     GmshType{9, 22, 6, 2, {}},        GmshType{10, 28, 9, 2, {}},
     GmshType{11, 24, 10, 3, kTet10},  GmshType{12, 29, 27, 3, kHex27},
