@@ -85,7 +85,8 @@ Result<Head> read_head(ByteReader& in) {
 
 Bytes write_block_head(const BlockHead& b, CellKind kind) {
     ByteWriter out;
-    out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) | (b.has_copies ? 4 : 0)));
+    out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) | (b.has_copies ? 4 : 0) |
+                                     (b.mirrored ? 8 : 0)));
     out.varint(b.cells);
     if (kind == CellKind::polygon) {
         out.varint(b.uniform_degree);
@@ -97,6 +98,10 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     out.varint(b.companions);
     out.varint(b.components);
     out.varint(b.links);
+    if (kind == CellKind::tet) {
+        out.varint(b.grid_side);
+        for (const std::uint32_t n : b.grid_count) out.varint(n);
+    }
     return out.take();
 }
 
@@ -108,9 +113,10 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.has_border = (flags & 1) != 0;
     b.has_flips = (flags & 2) != 0;
     b.has_copies = (flags & 4) != 0;
+    b.mirrored = (flags & 8) != 0;
     b.cells = in.varint();
     constexpr Index kMost = 0xFFFFFFFEu;
-    if (flags > 7 || b.cells >= kMost) return bad("a block with more cells than a block may have");
+    if (flags > (kind == CellKind::tet ? 15u : 7u) || b.cells >= kMost) return bad("a block with more cells than a block may have");
     if (kind == CellKind::polygon) {
         b.uniform_degree = in.varint();
         if (b.uniform_degree >= kMost) return bad("cells with more corners than a block may have");
@@ -124,6 +130,18 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.companions = in.varint();
     b.components = in.varint();
     b.links = in.varint();
+    if (kind == CellKind::tet) {
+        b.grid_side = in.varint();
+        // The grid has at most so many cubes that it is small beside the vertices.
+        std::uint64_t cubes = 1;
+        for (std::uint32_t& n : b.grid_count) {
+            const std::uint64_t count = in.varint();
+            if (count == 0 || count > most_cubes(b.vertices) / cubes) return bad("a grid of too many cubes");
+            n = static_cast<std::uint32_t>(count);
+            cubes *= count;
+        }
+        if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52) return bad("a grid of impossible cubes");
+    }
     if (!in.ok() || in.left() != 0) return bad("the block's head ends too early or too late");
     if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices || b.unused_points >= kMost ||
         b.points + b.unused_points >= kMost || b.components > b.cells || b.links > b.corners)

@@ -1,6 +1,7 @@
 // The sections `head` and `block`: fields, in the order in which they are stored.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,13 @@ struct BlockHead {
     bool has_border = true;
     bool has_flips = false;
     bool has_copies = false;
+    bool mirrored = false;                              // tets: most have negative volume
+    Index grid_side = 1;                                // tets: the walk's grid of vertices
+    std::array<std::uint32_t, 3> grid_count{1, 1, 1};
 };
+
+// Cubes of the vertex grid of a block with so many vertices.
+inline std::uint64_t most_cubes(Index vertices) { return 4 * vertices + 64; }
 
 Bytes write_head(const Head& head);
 Result<Head> read_head(ByteReader& in);

@@ -22,7 +22,7 @@ const Section& section_of(const FileSections& file, SectionId id) {
 std::uint64_t memory_of(const FileSections& file) {
     const BlockHead& b = file.block;
     const std::uint64_t per_corner = file.head.kind == CellKind::tet ? 48 : 42;
-    const std::uint64_t per_cell = 80, per_vertex = 128;
+    const std::uint64_t per_cell = 80, per_vertex = 240;
     return b.corners * per_corner + b.cells * per_cell + (b.vertices + b.unused_points) * per_vertex;
 }
 
@@ -41,6 +41,12 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
             format.weights[c][i] = static_cast<std::int16_t>(w);
         }
     if (!sane || !in.ok()) return Error{Code::corrupt, in.at(), "the predictor's weights make no sense"};
+    if (head.lossless && head.kind == CellKind::tet) {
+        for (double& x : format.place_origin) x = in.f64();
+        format.place_scale = in.f64();
+        // Any numbers will do: places are clamped.
+        if (!in.ok()) return Error{Code::truncated, in.at(), "the positions end in their head"};
+    }
     return format;
 }
 
@@ -125,13 +131,16 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.vertices = static_cast<Id>(block.vertices);
     limits.uniform_degree = static_cast<Id>(block.uniform_degree);
     limits.has_border = block.has_border;
+    limits.mirrored = block.mirrored;
+    limits.grid_side = static_cast<double>(block.grid_side);
+    limits.grid_count = block.grid_count;
     // A flag costs at least 1/1386 bit, and a cell asks for a few.
     limits.plausible = (codes.size() + 8) * 8 * 1386;
     const bool tets = file.head.kind == CellKind::tet;
     DecodeDriver driver(codes, positions, position_bits, tets ? tet::kContexts : surface::kContexts,
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
-                        tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies, block.has_flips);
+                        tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies, block.has_flips, tets);
     const std::uint64_t at = section_of(file, SectionId::connectivity).at;
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);

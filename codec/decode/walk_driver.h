@@ -24,7 +24,7 @@ class DecodeDriver {
   public:
     DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
                  const FlagDecoder& position_bits, Context contexts, Context copy, Context copy_number,
-                 Context flip, bool has_copies, bool has_flips)
+                 Context flip, bool has_copies, bool has_flips, bool wants_places)
         : in_(codes),
           positions_(positions),
           position_bits_(position_bits),
@@ -33,7 +33,8 @@ class DecodeDriver {
           copy_number_(copy_number),
           flip_(flip),
           has_copies_(has_copies),
-          has_flips_(has_flips) {}
+          has_flips_(has_flips),
+          wants_places_(wants_places) {}
 
     bool flag(Context context, bool) { return in_.flag(models_[context]); }
     std::uint64_t number(Context base, std::uint64_t) {
@@ -46,26 +47,10 @@ class DecodeDriver {
 
     void begin_cell(Id) {}
     void new_vertex(Id vertex, Id, const Stencil& stencil) {
-        Id of = kNone;
-        if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {
-            const std::int64_t first =
-                static_cast<std::int64_t>(last_copied_ + static_cast<std::uint64_t>(unzigzag(number(copy_number_, 0))));
-            if (first < 0 || first >= static_cast<std::int64_t>(vertex) ||
-                copy_of_[static_cast<std::size_t>(first)] != kNone) {
-                bad_ = true;
-                positions_.next({}, {}, false);
-                copy_of_.push_back(kNone);
-                return;
-            }
-            of = static_cast<Id>(first);
-            last_copied_ = of;
-        }
-        if (has_copies_) copy_of_.push_back(of);
-        if (of != kNone)
-            positions_.copy(of);
-        else if (!positions_.next(stencil, {}, false))
-            bad_ = true;
+        code_vertex(vertex, stencil);
+        if (wants_places_) places_.push_back(place_of(positions_.format(), positions_.values().back()));
     }
+    const Point3& place(Id vertex) const { return places_[vertex]; }
     void end_cell(Id) {
         if (!has_flips_) return;
         last_flip_ = flag(flip_ + last_flip_, false);
@@ -88,12 +73,35 @@ class DecodeDriver {
     bool border(Id) const { return false; }
 
   private:
+    void code_vertex(Id vertex, const Stencil& stencil) {
+        Id of = kNone;
+        if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {
+            const std::int64_t first =
+                static_cast<std::int64_t>(last_copied_ + static_cast<std::uint64_t>(unzigzag(number(copy_number_, 0))));
+            if (first < 0 || first >= static_cast<std::int64_t>(vertex) ||
+                copy_of_[static_cast<std::size_t>(first)] != kNone) {
+                bad_ = true;
+                positions_.next({}, {}, false);
+                copy_of_.push_back(kNone);
+                return;
+            }
+            of = static_cast<Id>(first);
+            last_copied_ = of;
+        }
+        if (has_copies_) copy_of_.push_back(of);
+        if (of != kNone)
+            positions_.copy(of);
+        else if (!positions_.next(stencil, {}, false))
+            bad_ = true;
+    }
+
     FlagDecoder in_;
     PositionCodes<ReadingCoder>& positions_;
     const FlagDecoder& position_bits_;
     std::vector<FlagModel> models_;
     const Context copy_, copy_number_, flip_;
-    const bool has_copies_, has_flips_;
+    const bool has_copies_, has_flips_, wants_places_;
+    std::vector<Point3> places_;
     std::vector<Id> copy_of_;
     std::vector<std::uint8_t> flipped_;
     std::uint64_t last_copied_ = 0;

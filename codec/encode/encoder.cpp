@@ -1,6 +1,6 @@
 // From a mesh to a file: complex, strip, walk, and the sections one after the other.
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <string>
 
 #include "container/head.h"
@@ -93,6 +93,39 @@ Reorder reorder_of(const Mesh& mesh, const Complex& complex, const WalkRecord& r
     return order;
 }
 
+// The grid in which the walk looks for apexes: cubes of two mean edges, fewer where the box is large beside
+// the mesh. Where there are more tets of negative volume than of positive, the walk looks for mirror images.
+void choose_grid(const Complex& complex, const std::vector<Point3>& places, BlockHead& block) {
+    Point3 high{};
+    double length = 0;
+    Index edges = 0, negative = 0, positive = 0;
+    for (Id base = 0; base < complex.twin.size(); base += 4) {
+        std::array<Point3, 4> p;
+        for (Id i = 0; i < 4; ++i) {
+            p[i] = places[complex.point[complex.vertex[base + i]]];
+            for (std::size_t axis = 0; axis < 3; ++axis) high[axis] = std::max(high[axis], p[i][axis]);
+        }
+        const Point3 u = minus(p[1], p[0]);
+        const double volume = dot(cross(u, minus(p[2], p[0])), minus(p[3], p[0]));
+        positive += volume > 0;
+        negative += volume < 0;
+        length += std::sqrt(dot(u, u));
+        ++edges;
+    }
+    block.mirrored = negative > positive;
+    double side = edges == 0 ? 1 : std::max(1.0, std::floor(2 * length / static_cast<double>(edges)));
+    for (;; side = std::floor(side * 1.25) + 1) {
+        std::uint64_t cubes = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double count = std::floor(high[axis] / side) + 1;
+            block.grid_count[axis] = static_cast<std::uint32_t>(std::min(count, 1048576.0));
+            cubes *= block.grid_count[axis];
+        }
+        if (cubes <= most_cubes(block.vertices)) break;
+    }
+    block.grid_side = static_cast<Index>(side);
+}
+
 Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& options) {
     Head head;
     head.kind = mesh.kind;
@@ -129,7 +162,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const Complex& complex = *built;
     const Strip strip = build_strip(complex, options.method);
 
-    const WalkLimits limits = limits_of(complex);
+    WalkLimits limits = limits_of(complex);
     BlockHead block;
     block.cells = limits.cells;
     block.corners = limits.corners;
@@ -149,13 +182,17 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     block.links = strip.counts.links;
 
     WalkRecord record;
-    const auto points = static_cast<Id>(mesh.point_count());
     if (mesh.kind == CellKind::tet) {
-        TetEncodeDriver driver(complex, strip, points, block.has_copies, block.has_flips);
+        const std::vector<Point3> places = plan_places(mesh, *plan);
+        choose_grid(complex, places, block);
+        limits.grid_side = static_cast<double>(block.grid_side);
+        limits.grid_count = block.grid_count;
+        limits.mirrored = block.mirrored;
+        TetEncodeDriver driver(complex, strip, places, plan->outlier, block.has_copies, block.has_flips);
         TetWalk<TetEncodeDriver>(driver, limits).run();
         record = driver.take();
     } else {
-        SurfaceEncodeDriver driver(complex, strip, points, block.has_copies, block.has_flips);
+        SurfaceEncodeDriver driver(complex, strip, static_cast<Id>(mesh.point_count()), block.has_copies, block.has_flips);
         SurfaceWalk<SurfaceEncodeDriver>(driver, limits).run();
         record = driver.take();
     }

@@ -138,6 +138,20 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
     return plan;
 }
 
+std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
+    const std::size_t points = mesh.positions.count();
+    if (!plan.format.grid) {
+        const Box box = box_of(mesh.positions, points);
+        plan.format.place_origin = box.low;
+        const double scale = 0x1p16 / box.longest;
+        plan.format.place_scale = std::isfinite(scale) && scale > 0 ? scale : 1;
+    }
+    std::vector<Point3> places(points);
+    for (std::size_t p = 0; p < points; ++p)
+        if (plan.outlier.empty() || !plan.outlier[p]) places[p] = place_of(plan.format, plan.values[p]);
+    return places;
+}
+
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
                       const std::vector<Index>& unused) {
     const std::size_t vertices = record.vertex_of.size();
@@ -168,6 +182,10 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(plan.format.weights[c][i]));
+    if (!plan.format.grid && complex.kind == CellKind::tet) {
+        for (const double x : plan.format.place_origin) out.f64(x);
+        out.f64(plan.format.place_scale);
+    }
 
     FlagEncoder bits;
     WritingCoder coder{bits};

@@ -21,7 +21,11 @@ struct PositionPlan {
 // can't bring within max_error, are outliers. Error: a grid finer than can be held.
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
 
-// `order`: unused points, in the order they are appended.
+// Tets: places of all points, as the walk will see them; for lossless positions this chooses the
+// integers that stand for the floats.
+std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);
+
+// `unused`: unused points, in the order they are appended.
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
                       const std::vector<Index>& unused);
 

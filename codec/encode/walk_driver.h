@@ -7,6 +7,7 @@
 
 #include "entropy/flag_encoder.h"
 #include "mesh/complex.h"
+#include "mesh/point3.h"
 #include "strip/strip.h"
 #include "walk/tet_front.h"
 #include "walk/walk.h"
@@ -152,9 +153,28 @@ class SurfaceEncodeDriver : public EncodeDriver {
 
 class TetEncodeDriver : public EncodeDriver {
   public:
-    TetEncodeDriver(const Complex& complex, const Strip& strip, Id points, bool copies, bool flips)
-        : EncodeDriver(complex, strip, points, tet::kContexts, tet::kCopy.base, tet::kCopyOf.base,
-                       tet::kFlip.base, copies, flips) {}
+    // `places` and `outlier` are per point of the mesh; `outlier` is empty where there are none.
+    TetEncodeDriver(const Complex& complex, const Strip& strip, const std::vector<Point3>& places,
+                    const std::vector<bool>& outlier, bool copies, bool flips)
+        : EncodeDriver(complex, strip, static_cast<Id>(places.size()), tet::kContexts, tet::kCopy.base,
+                       tet::kCopyOf.base, tet::kFlip.base, copies, flips),
+          point_places_(places),
+          outlier_(outlier) {
+        places_.reserve(complex.point.size());
+    }
+
+    void new_vertex(Id vertex, Id corner, const Stencil& stencil) {
+        EncodeDriver::new_vertex(vertex, corner, stencil);
+        const Id point = complex_.point[record_.vertex_of.back()];
+        // The decoder does not know an outlier's place and lets its first neighbour stand in.
+        if (!outlier_.empty() && outlier_[point] && record_.copy_of.back() == kNone)
+            places_.push_back(stencil.at[0] != kNone ? places_[stencil.at[0]] : Point3{});
+        else if (record_.copy_of.back() != kNone)
+            places_.push_back(places_[record_.copy_of.back()]);
+        else
+            places_.push_back(point_places_[point]);
+    }
+    const Point3& place(Id vertex) const { return places_[vertex]; }
 
     void begin_cell(Id gate) {
         if (gate == kNone) {
@@ -178,6 +198,11 @@ class TetEncodeDriver : public EncodeDriver {
     Id apex() const { return walk_vertex_[complex_.vertex[corners_[3]]]; }
     bool glues(Id facet) const { return visited(complex_.twin[corners_[facet & 3]]); }
     bool border(Id facet) const { return complex_.twin[corners_[facet & 3]] == kNone; }
+
+  private:
+    const std::vector<Point3>& point_places_;
+    const std::vector<bool>& outlier_;
+    std::vector<Point3> places_;  // per vertex of the walk
 };
 
 }  // namespace ravel

@@ -3,12 +3,14 @@
 // images, guessed in IEEE double from the exact values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "mesh/point3.h"
 #include "predict/float_image.h"
 #include "predict/grid.h"
 #include "predict/predictor.h"
@@ -22,10 +24,33 @@ struct PositionFormat {
     bool has_outliers = false;  // grid: some vertices are stored bit for bit instead
     int coarseness = 0;         // of residual contexts
     Weights weights = kDefaultWeights;
+    // Lossless tets: the integers that stand for the floats where the walk asks for places.
+    Point3 place_origin{};
+    double place_scale = 1;
 };
 
 // Grid: int64 values. Lossless and outliers: the bits of the floats.
 using Position = std::array<std::uint64_t, 3>;
+
+inline double double_of(std::uint64_t bits, bool narrow) {
+    return narrow ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
+                  : std::bit_cast<double>(bits);
+}
+
+// Where a vertex is, in integers: the grid's, or the nearest of 2^20 + 1 steps along each axis.
+inline Point3 place_of(const PositionFormat& format, const Position& position) {
+    Point3 place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (format.grid) {
+            place[axis] = static_cast<double>(static_cast<std::int64_t>(position[axis]));
+            continue;
+        }
+        const double x = double_of(position[axis], format.narrow);
+        const double scaled = (x - format.place_origin[axis]) * format.place_scale;
+        place[axis] = scaled > 0 ? std::floor(std::min(scaled, 0x1p20) + 0.5) : 0;
+    }
+    return place;
+}
 
 template <class Coder>
 class PositionCodes {
@@ -64,7 +89,11 @@ class PositionCodes {
                 const std::int64_t g = guess_grid(stencil, axis);
                 const std::int64_t q =
                     g + code_residual(coder_, context, static_cast<std::int64_t>(truth[axis]) - g, size);
-                if (q >= kMostGrid || q <= -kMostGrid) return false;
+                if (q >= kMostGrid || q <= -kMostGrid) {
+                    values_.push_back({});
+                    sizes_.push(0);
+                    return false;
+                }
                 value[axis] = static_cast<std::uint64_t>(q);
             } else {
                 const std::uint64_t g = guess_image(stencil, axis);
@@ -88,6 +117,7 @@ class PositionCodes {
         if (format_.has_outliers) outliers_.push_back(false);
     }
 
+    const PositionFormat& format() const { return format_; }
     const std::vector<Position>& values() const { return values_; }
     // Per vertex, where there are any at all; the bits in the order of the vertices.
     const std::vector<bool>& outliers() const { return outliers_; }
@@ -98,10 +128,7 @@ class PositionCodes {
         return format_.narrow ? image_of(static_cast<std::uint32_t>(b)) : image_of(b);
     }
     std::uint64_t bits(std::uint64_t i) const { return format_.narrow ? bits32_of(i) : bits64_of(i); }
-    double as_double(std::uint64_t b) const {
-        if (format_.narrow) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(b)));
-        return std::bit_cast<double>(b);
-    }
+    double as_double(std::uint64_t b) const { return double_of(b, format_.narrow); }
 
     std::int64_t guess_grid(const Stencil& stencil, std::size_t axis) const {
         const auto f = features_of<std::int64_t>(
@@ -134,7 +161,6 @@ class PositionCodes {
     std::vector<Position> raw_;
 };
 
-// In front of the codes of the section `positions`.
 inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::count);
 
 }  // namespace ravel

@@ -26,13 +26,12 @@ inline constexpr Context kContexts = kCopyOf.end();
 }  // namespace surface
 
 namespace tet {
-inline constexpr ContextBlock kFold{0, 3, 9, 2, 3};                 // asked before, fan, border, same apex
-inline constexpr ContextBlock kNew{kFold.end(), 4, 4, 3};           // border mates, distinct apexes, fan
-inline constexpr ContextBlock kOldNear{kNew.end(), 32};             // place in the list
-inline constexpr ContextBlock kOldIsNear{kOldNear.end(), 4};
-inline constexpr ContextBlock kOldFar{kOldIsNear.end(), kNumberSteps};
+inline constexpr ContextBlock kLowest{0, 14, 4, 4, 2};              // height, folds, fan, border across
+inline constexpr ContextBlock kNew{kLowest.end(), 14, 4, 3};        // height, folds, borders across
+inline constexpr ContextBlock kNext{kNew.end(), 12, 3, 2};          // place in the list, folds, above
+inline constexpr ContextBlock kOldFar{kNext.end(), kNumberSteps};
 inline constexpr ContextBlock kGlue{kOldFar.end(), 2};
-inline constexpr ContextBlock kBorder{kGlue.end(), 2, 4, 3};        // border mate, border vertices, apex
+inline constexpr ContextBlock kBorder{kGlue.end(), 7, 4, 3, 3};     // flatness, border vertices, apex, facet
 inline constexpr ContextBlock kLink{kBorder.end(), 2, 3};
 inline constexpr ContextBlock kExit{kLink.end(), 3, 3, 4, 4};       // which, exits left, ...
 inline constexpr ContextBlock kFlip{kExit.end(), 3};

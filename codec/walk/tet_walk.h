@@ -1,8 +1,13 @@
 // The walk over tets. A tet entered through a front facet (x0, x1, x2) is told by its apex: the apex
 // across one of the three edges (a fold), a new vertex, or an old one. [Gumhold1999] codes tets
-// against such a front; the fan counts as contexts are the volume's counterpart of corner counts.
+// against such a front. Where the vertices lie says most about which it is: among the apexes across
+// the edges and the front vertices near by, the one whose sphere through the entry facet lies lowest is
+// asked for first, under contexts of that height and of how many edges fold onto it.
 //
-// Constant time per tet but for the hash.
+// Constant time per tet but for the hash; the search looks at a bounded number of vertices.
+//
+// Beside the truths the driver has
+//     Point3 place(Id vertex)      where a visited vertex is, in integers
 //
 // Truths of the driver (about the tet being entered):
 //     bool apex_is(Id vertex)      is its apex this visited vertex?
@@ -12,7 +17,9 @@
 //     bool links_through(Id facet) bool leaves_through(Id facet)       (of the tet being left)
 #pragma once
 
+#include "walk/sphere_family.h"
 #include "walk/tet_front.h"
+#include "walk/vertex_grid.h"
 #include "walk/walk.h"
 
 namespace ravel {
@@ -21,7 +28,7 @@ template <class Driver>
 class TetWalk {
   public:
     TetWalk(Driver& driver, const WalkLimits& limits)
-        : driver_(driver), limits_(limits), front_(walked_.vertex) {
+        : driver_(driver), limits_(limits), front_(walked_.vertex), grid_(limits.grid_side, limits.grid_count) {
         walked_.kind = CellKind::tet;
         reserve(walked_, limits);
         front_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
@@ -40,11 +47,6 @@ class TetWalk {
   private:
     enum State : std::uint8_t { open, border, gone };
     enum class Apex : std::uint8_t { fold, fresh, old };
-    struct Candidate {
-        Id vertex;
-        std::uint32_t slot, fan, times;
-        bool beyond_border;
-    };
 
     bool wind() {
         pending_.clear();
@@ -135,6 +137,7 @@ class TetWalk {
         const Id v = walked_.vertex_count++;
         walked_.vertex[corner] = v;
         on_border_.push_back(0);
+        open_count_.push_back(0);
         driver_.new_vertex(v, corner - walked_.first[walked_.first.size() - 2], stencil);
         return true;
     }
@@ -155,6 +158,7 @@ class TetWalk {
             vertex[base + 3] = apex;
         }
         front_.erase(gate);
+        closed(gate);
         state_[gate] = gone;
         walked_.twin[gate] = base + 3;
         walked_.twin[base + 3] = gate;
@@ -162,75 +166,153 @@ class TetWalk {
         return true;
     }
 
+    struct Candidate {
+        Id vertex = kNone;
+        double height = 0;       // of its sphere
+        bool above = false;      // is it on the right side of the gate, and the gate no degenerate one?
+        std::uint32_t times = 0; // edges of the gate it folds onto
+        std::uint32_t fan = 0;   // most tets round one of these
+        bool beyond_border = false;
+    };
+    static bool before(const Candidate& a, const Candidate& b) {
+        if (a.above != b.above) return a.above;
+        return a.above ? a.height < b.height : a.times > b.times;
+    }
+    // Keeps the list sorted; equal ones stay in the order they came.
+    void offer(const Candidate& candidate) {
+        std::size_t i = list_.size();
+        list_.push_back(candidate);
+        for (; i > 0 && before(candidate, list_[i - 1]); --i) list_[i] = list_[i - 1];
+        list_[i] = candidate;
+    }
+    static constexpr std::uint32_t kNotAbove = 13;
+    std::uint32_t height_class(const SphereFamily& family, const Candidate& candidate) const {
+        static constexpr std::array<double, 12> kBounds{-0.25, 0.0, 0.04, 0.12, 0.25, 0.45,
+                                                        0.8,   1.4, 2.5,  5.0,  12.0, 60.0};
+        if (!candidate.above) return kNotAbove;
+        const double r = family.relative(candidate.height);
+        std::uint32_t i = 0;
+        while (i < kBounds.size() && r > kBounds[i]) ++i;
+        return i;
+    }
+    bool in_gate(Id base, Id v) const {
+        const Id* corner = walked_.vertex.data() + base;
+        return v == corner[0] || v == corner[1] || v == corner[2];
+    }
+
     Id code_apex(Id base, Id gate, Apex& kind) {
-        std::array<Candidate, 3> list{};
-        std::uint32_t count = 0, borders = 0, most_fan = 0;
-        for (Id k = 0; k < 3; ++k) {
-            const Id slot = 3 * gate + k, apex = front_.apex_across(slot), fan = front_.fan(slot);
-            const bool beyond = state_[front_.mate(slot) / 3] == border;
-            borders += beyond;
-            if (!beyond) most_fan = std::max(most_fan, fan);
-            bool known = false;
-            for (Id i = 0; i < 3; ++i) known = known || walked_.vertex[base + i] == apex;
-            if (known) continue;
-            std::uint32_t i = 0;
-            while (i < count && list[i].vertex != apex) ++i;
-            if (i < count) {
-                ++list[i].times;
-                list[i].fan = std::max(list[i].fan, fan);
-                list[i].beyond_border = list[i].beyond_border && beyond;
-            } else {
-                list[count++] = {apex, slot, fan, 1, beyond};
-            }
-        }
-        // Likeliest first; equal ones stay in the order of the gate's edges.
-        const auto before = [](const Candidate& a, const Candidate& b) {
-            if (a.times != b.times) return a.times > b.times;
-            if (a.beyond_border != b.beyond_border) return b.beyond_border;
-            return a.fan > b.fan;
+        const auto& vertex = walked_.vertex;
+        const SphereFamily family(driver_.place(vertex[base]), driver_.place(vertex[base + 1]),
+                                  driver_.place(vertex[base + 2]), limits_.mirrored);
+        list_.clear();
+        const std::uint32_t borders = offer_folds(base, gate, family);
+        offer_near(base, family);
+        const auto answer = [&](const Candidate& candidate) {
+            kind = candidate.times > 0 ? Apex::fold : Apex::old;
+            return candidate.vertex;
         };
-        for (std::uint32_t i = 1; i < count; ++i)
-            for (std::uint32_t j = i; j > 0 && before(list[j], list[j - 1]); --j)
-                std::swap(list[j], list[j - 1]);
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (driver_.flag(tet::kFold.at(i, list[i].fan - 1, list[i].beyond_border, list[i].times - 1),
-                             driver_.apex_is(list[i].vertex))) {
-                kind = Apex::fold;
-                return list[i].vertex;
-            }
+        std::uint32_t height = kNotAbove, times = 0;
+        if (!list_.empty()) {
+            const Candidate& lowest = list_[0];
+            height = height_class(family, lowest);
+            times = lowest.times;
+            const std::uint32_t fan = std::clamp<std::uint32_t>(lowest.fan, 1, 4) - 1;
+            if (driver_.flag(tet::kLowest.at(height, times, fan, lowest.beyond_border),
+                             driver_.apex_is(lowest.vertex)))
+                return answer(lowest);
+        }
         const Id truth = driver_.apex();
-        if (driver_.flag(tet::kNew.at(borders, count, most_fan >= 4 ? 2 : most_fan >= 3), truth == kNone)) {
+        if (driver_.flag(tet::kNew.at(height, times, borders), truth == kNone)) {
             kind = Apex::fresh;
             return kNone;
         }
-        kind = Apex::old;
-        return code_old(base, gate, list, count, truth);
-    }
-
-    // An old vertex that is no fold: looked for on the front around the gate, ring by ring, then by age.
-    Id code_old(Id base, Id gate, const std::array<Candidate, 3>& asked, std::uint32_t asked_count, Id truth) {
-        constexpr std::size_t kNear = 32, kFacets = 48;
-        near_.clear();
-        ring_.assign(1, gate);
-        for (std::size_t head = 0; head < ring_.size() && ring_.size() < kFacets; ++head)
-            for (Id e = 0; e < 3; ++e) {
-                const Id mate = front_.mate(3 * ring_[head] + e), facet = mate / 3;
-                if (std::find(ring_.begin(), ring_.end(), facet) != ring_.end()) continue;
-                ring_.push_back(facet);
-                const Id v = front_.vertex_of_slot(mate);
-                bool known = std::find(near_.begin(), near_.end(), v) != near_.end();
-                for (Id i = 0; i < 3; ++i) known = known || walked_.vertex[base + i] == v;
-                for (std::uint32_t i = 0; i < asked_count; ++i) known = known || asked[i].vertex == v;
-                if (!known && near_.size() < kNear) near_.push_back(v);
-            }
-        const bool is_near = std::find(near_.begin(), near_.end(), truth) != near_.end();
-        if (!near_.empty() && driver_.flag(tet::kOldIsNear.at(0), is_near)) {
-            for (std::uint32_t i = 0; i + 1 < near_.size(); ++i)
-                if (driver_.flag(tet::kOldNear.at(i), driver_.apex_is(near_[i]))) return near_[i];
-            return near_.back();
+        constexpr std::size_t kMostAsked = 12;
+        for (std::size_t i = 1; i < list_.size() && i < kMostAsked; ++i) {
+            const auto place = static_cast<std::uint32_t>(i - 1);
+            if (driver_.flag(tet::kNext.at(place, list_[i].times, list_[i].above),
+                             driver_.apex_is(list_[i].vertex)))
+                return answer(list_[i]);
         }
+        kind = Apex::old;
         const std::uint64_t age = driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
         return age >= walked_.vertex_count ? kNone : static_cast<Id>(walked_.vertex_count - 1 - age);
+    }
+
+    // The apexes across the gate's edges. Returns how many of them lie across borders.
+    std::uint32_t offer_folds(Id base, Id gate, const SphereFamily& family) {
+        std::uint32_t borders = 0;
+        for (Id k = 0; k < 3; ++k) {
+            const Id slot = 3 * gate + k, apex = front_.apex_across(slot);
+            const std::uint32_t fan = front_.fan(slot);
+            const bool beyond = state_[front_.mate(slot) / 3] == border;
+            borders += beyond;
+            if (open_count_[apex] == 0 || in_gate(base, apex)) continue;
+            Candidate candidate;
+            candidate.vertex = apex;
+            candidate.beyond_border = true;
+            const auto known = std::find_if(list_.begin(), list_.end(),
+                                            [&](const Candidate& c) { return c.vertex == apex; });
+            if (known != list_.end()) {
+                candidate = *known;
+                list_.erase(known);
+            } else if (!family.flat()) {
+                candidate.above = family.height_of(driver_.place(apex), candidate.height);
+            }
+            ++candidate.times;
+            if (!beyond) candidate.fan = std::max(candidate.fan, fan);
+            candidate.beyond_border = candidate.beyond_border && beyond;
+            offer(candidate);
+        }
+        return borders;
+    }
+
+    // Front vertices inside the lowest sphere so far, or inside a rather high one. Where the sphere is
+    // large beside the grid's cubes the search is not made, or ends early.
+    void offer_near(Id base, const SphereFamily& family) {
+        if (family.flat()) return;
+        constexpr std::uint64_t kMostCubes = 1000;
+        constexpr std::uint32_t kMostVertices = 1500;
+        constexpr double kHighest = 9;
+        double height = family.height_at(kHighest);
+        if (!list_.empty() && list_[0].above && list_[0].height < height) height = list_[0].height;
+        const Point3 centre = family.centre_at(height);
+        const double radius = family.radius_at(height);
+        std::array<std::uint32_t, 3> low{}, high{};
+        std::uint64_t cubes = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = grid_.cube_of(centre[axis] - radius, axis);
+            high[axis] = grid_.cube_of(centre[axis] + radius, axis);
+            cubes *= high[axis] - low[axis] + std::uint64_t{1};
+        }
+        if (cubes > kMostCubes) return;
+        std::uint32_t seen = 0;
+        for (std::uint32_t z = low[2]; z <= high[2]; ++z)
+            for (std::uint32_t y = low[1]; y <= high[1]; ++y)
+                for (std::uint32_t x = low[0]; x <= high[0]; ++x)
+                    for (Id v = grid_.first_in(x, y, z); v != kNone; v = grid_.next(v)) {
+                        if (++seen > kMostVertices) return;
+                        Candidate candidate;
+                        candidate.vertex = v;
+                        candidate.above = family.height_of(driver_.place(v), candidate.height);
+                        if (!candidate.above || candidate.height > height || in_gate(base, v)) continue;
+                        const bool known = std::any_of(list_.begin(), list_.end(),
+                                                       [&](const Candidate& c) { return c.vertex == v; });
+                        if (!known) offer(candidate);
+                    }
+    }
+
+    // A vertex stands in the grid while an open facet has it.
+    void opened(Id f) {
+        for (Id e = 0; e < 3; ++e) {
+            const Id v = front_.vertex_of_slot(3 * f + e);
+            if (open_count_[v]++ == 0) grid_.insert(v, driver_.place(v));
+        }
+    }
+    void closed(Id f) {
+        for (Id e = 0; e < 3; ++e) {
+            const Id v = front_.vertex_of_slot(3 * f + e);
+            if (--open_count_[v] == 0) grid_.erase(v);
+        }
     }
 
     // Facet f of the new tet meets a front facet, is a border, or joins the front.
@@ -242,6 +324,7 @@ class TetWalk {
                     walked_.twin[f] = other;
                     walked_.twin[other] = f;
                     front_.erase(other);
+                    closed(other);
                     state_[other] = gone;
                     front_.glue(f, other);
                 } else {
@@ -252,12 +335,13 @@ class TetWalk {
             }
         }
         if (limits_.has_border) {
-            std::uint32_t vertices = 0, borders = 0;
+            std::uint32_t vertices = 0, flat = 0;
             for (Id e = 0; e < 3; ++e) {
                 vertices += on_border_[front_.vertex_of_slot(3 * f + e)];
-                borders += state_[front_.mate(3 * f + e) / 3] == border;
+                const Id mate = front_.mate(3 * f + e) / 3;
+                if (state_[mate] == border) flat = std::max(flat, flatness(f, mate));
             }
-            if (driver_.flag(tet::kBorder.at(borders, vertices, static_cast<std::uint32_t>(apex)),
+            if (driver_.flag(tet::kBorder.at(flat, vertices, static_cast<std::uint32_t>(apex), f & 3),
                              driver_.border(f))) {
                 become_border(f);
                 return;
@@ -265,8 +349,24 @@ class TetWalk {
         }
         state_[f] = open;
         front_.insert(f);
+        opened(f);
     }
 
+    Point3 normal_of(Id f) const {
+        const Id base = f & ~Id{3};
+        const auto& t = kOutward[f & 3];
+        const Point3 a = driver_.place(walked_.vertex[base + t[0]]);
+        return cross(minus(driver_.place(walked_.vertex[base + t[1]]), a),
+                     minus(driver_.place(walked_.vertex[base + t[2]]), a));
+    }
+    // How nearly two facets lie in one plane: 1 for a fold back, 6 for flat.
+    std::uint32_t flatness(Id f, Id g) const {
+        const Point3 m = normal_of(f), n = normal_of(g);
+        const double d = dot(m, n), square = dot(m, m) * dot(n, n);
+        if (!(d > 0)) return 1;
+        const double r = d * d;
+        return r > 0.9999 * square ? 6 : r > 0.99 * square ? 5 : r > 0.9 * square ? 4 : r > 0.5 * square ? 3 : 2;
+    }
     void become_border(Id f) {
         state_[f] = border;
         for (Id e = 0; e < 3; ++e) on_border_[front_.vertex_of_slot(3 * f + e)] = 1;
@@ -276,9 +376,12 @@ class TetWalk {
     const WalkLimits limits_;
     Walked walked_;
     TetFront front_;
+    VertexGrid grid_;
     std::vector<std::uint8_t> state_;       // per facet
     std::vector<std::uint8_t> on_border_;   // per vertex
-    std::vector<Id> pending_, near_, ring_;
+    std::vector<std::uint32_t> open_count_; // per vertex: open facets around it
+    std::vector<Candidate> list_;           // of apexes, likeliest first
+    std::vector<Id> pending_;
 };
 
 }  // namespace ravel

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -56,6 +57,10 @@ struct WalkLimits {
     Id vertices = 0;
     Id uniform_degree = 0;  // surfaces: every cell has this degree; 0 where they differ
     bool has_border = true;
+    // Tets: the grid that finds apexes by place (see VertexGrid), and whether most tets are inside out.
+    double grid_side = 1;
+    std::array<std::uint32_t, 3> grid_count{1, 1, 1};
+    bool mirrored = false;
     std::size_t plausible = kNone;  // no more elements than this are reserved ahead
 };
 
