@@ -3,7 +3,7 @@
 // another, the two walks to it make one walk between two ends; toggled, it closes a path or joins two.
 // A node may also turn singleton: it gives away both its edges. Such steps wait until no others are left.
 // Trees whose end is served grow no more; what they hold is free again in the next round.
-// Cost: linear per round; a round that joins nothing is the last, and there are at most sixteen.
+// Cost: linear per round; a round that joins nothing is the last, and there are at most eight per price.
 #include "graph/close.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using State = GraphId;  // 2 * node + (1 where full)
 
-constexpr int kMaxRounds = 16;
+constexpr int kMaxRounds = 8;  // per price; real meshes take one or two
 constexpr int kMaxPrice = 3;  // singletons a walk may make, about
 
 class Forest {

@@ -1,6 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include <set>
+
 #include "mesh/complex.h"
+#include "mesh/exit_rule.h"
 #include "strip/build.h"
 #include "strip/check.h"
 #include "support/small_meshes.h"
@@ -74,4 +77,29 @@ TEST_CASE("a strip with a broken role, link or root is not one") {
     CHECK_FALSE(check_strip(complex, broken).ok());
     broken.roots = {complex.cell_count()};
     CHECK_FALSE(check_strip(complex, broken).ok());
+}
+
+TEST_CASE("the exit order lists every facet of the cell but the entry once, leftmost first") {
+    std::vector<Id> order;
+    for (const auto& [name, mesh, clean] : test::small_meshes()) {
+        INFO(name);
+        const Complex complex = complex_of(mesh);
+        for (Id entry = 0; entry < complex.twin.size(); ++entry) {
+            exit_order(complex, entry, order);
+            CHECK(order.size() + 1 == complex.degree(complex.cell_of[entry]));
+            CHECK(std::set<Id>(order.begin(), order.end()).size() == order.size());
+            for (const Id f : order) CHECK((f != entry && complex.cell_of[f] == complex.cell_of[entry]));
+            if (complex.kind == CellKind::polygon && !order.empty())
+                CHECK(order.front() == complex.prev_in_cell(entry));
+        }
+    }
+}
+
+TEST_CASE("large meshes full of holes get one strip per component, too") {
+    for (const Mesh& mesh : {test::with_holes(test::quad_grid(120, 120), 3, 1), test::with_holes(test::tet_box(12, 12, 12), 20, 2),
+                             test::with_holes(test::honeycomb(60, 60), 30, 3), test::triangle_fan(5000)}) {
+        const Complex complex = complex_of(mesh);
+        for (const StripEffort effort : {StripEffort{0}, StripEffort{3}, StripEffort{}})
+            CHECK(check_strip(complex, build_strip(complex, FactorMethod::steered, effort)).ok());
+    }
 }
