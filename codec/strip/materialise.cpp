@@ -138,7 +138,9 @@ std::vector<Attribute> carry_attributes(const Mesh& mesh, const SplitMesh& split
                                         const std::vector<Id>& point_of, const std::vector<Index>& parent) {
     std::vector<Attribute> carried;
     for (const Attribute& attribute : mesh.attributes) {
-        if (attribute.place == Place::corner || attribute.place == Place::companion) continue;
+        const bool names_cells = std::any_of(attribute.references.begin(), attribute.references.end(),
+                                             [](const Reference& r) { return r.place == Place::cell; });
+        if (attribute.place == Place::corner || attribute.place == Place::companion || names_cells) continue;
         Attribute& copy = carried.emplace_back(attribute);
         if (attribute.place == Place::point && attribute.index.empty()) {
             append_points(copy.values, split, point_of);

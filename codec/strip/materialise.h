@@ -21,7 +21,7 @@ struct Materialised {
 };
 
 // Every link becomes a split of its two cells. Cell attributes come from the parents; point attributes
-// of floats are blended and others copied; corner attributes and companions are left out.
+// of floats are blended and others copied; corner attributes, companions and numbers of cells are left out.
 // Fails only on a strip that is none (see check.h). Linear in the output.
 Result<Materialised> materialise(const Mesh& mesh, const Complex& complex, const Strip& strip);
 

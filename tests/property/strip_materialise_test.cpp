@@ -128,9 +128,9 @@ TEST_CASE("a link adds two cells to each tet and n - 1 to each n-gon") {
 
 TEST_CASE("cell attributes follow their cells into the pieces and point attributes are blended") {
     Mesh mesh = test::quad_grid(4, 4);
-    Attribute region{"region", Place::cell, make_array(Scalar::i32, 1, mesh.cell_count()), {}};
+    Attribute region{"region", Place::cell, make_array(Scalar::i32, 1, mesh.cell_count()), {}, {}};
     for (Index c = 0; c < mesh.cell_count(); ++c) region.values.as<std::int32_t>()[c] = static_cast<std::int32_t>(100 + c);
-    Attribute height{"x", Place::point, make_array(Scalar::f64, 1, mesh.point_count()), {}};
+    Attribute height{"x", Place::point, make_array(Scalar::f64, 1, mesh.point_count()), {}, {}};
     for (Index p = 0; p < mesh.point_count(); ++p) height.values.as<double>()[p] = mesh.positions.as<double>()[3 * p];
     mesh.attributes = {region, height};
     const Complex complex = *build_complex(mesh);
