@@ -19,7 +19,7 @@ check_one() {
     added=$(sed -n 's/^ *"added_cells_percent": \([0-9.e+-]*\),*$/\1/p' <<<"$out")
     [ -n "$strips" ] && [ "$strips" = "$components" ] || problems+=" $strips strips in $components components;"
     if [ -z "$problems" ]; then
-        echo "ok     $(basename "$mesh"): equal twice, $strips strips, $added % cells added, $((SECONDS - start)) s"
+        echo "ok     $(basename "$mesh"): equal twice, $strips strips, $(printf %.3f "$added") % cells added, $((SECONDS - start)) s"
     else
         echo "FAILED $(basename "$mesh"):$problems"
     fi
@@ -37,9 +37,11 @@ if [ -z "$folder" ] || [ ! -d "$folder/quad" ]; then
     exit 77
 fi
 # A TetGen mesh is its .ele file; .node and .face come along.
-report=$(find "$folder/quad" "$folder/tet" -type f ! -name '*.node' ! -name '*.face' ! -name '*.edge' |
-    LC_ALL=C sort | xargs -d '\n' -P "${RAVEL_JOBS:-2}" -n 1 "$0" --one "$ravel" | tee /dev/stderr)
-total=$(grep -c . <<<"$report")
-failed=$(grep -c '^FAILED' <<<"$report")
+report=$(mktemp)
+trap 'rm -f "$report"' EXIT
+find "$folder/quad" "$folder/tet" -type f ! -name '*.node' ! -name '*.face' ! -name '*.edge' |
+    LC_ALL=C sort | xargs -d '\n' -P "${RAVEL_JOBS:-2}" -n 1 "$0" --one "$ravel" | tee "$report"
+total=$(grep -c . "$report")
+failed=$(grep -c '^FAILED' "$report")
 echo "$((total - failed)) of $total real meshes come back equal on one strip per component"
 [ "$failed" = 0 ] && [ "$total" -gt 0 ]
