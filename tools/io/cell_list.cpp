@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "io/attributes.h"
 #include "io/left_out.h"
 #include "io/vtk_cells.h"
 
@@ -66,7 +67,7 @@ void add_side(Mesh& mesh, const CellData& data, Place place, Side side, Index ho
     } else {
         side.index.insert(side.index.end(), host_count, kNoIndex);
     }
-    mesh.attributes.push_back({data.name, place, std::move(side.values), std::move(side.index)});
+    add_attribute(mesh, data.name, place, std::move(side.values), std::move(side.index));
 }
 
 const CompanionBlock* host_block(const Mesh& mesh) {
@@ -154,8 +155,8 @@ void split_cells(const CellList& list, std::vector<CellData> data, Mesh& mesh) {
         }
         if (cells.present + companions.present == 0) {
             // Values on nothing are still a name: keep them, on the cells.
-            mesh.attributes.push_back(
-                {values.name, Place::cell, std::move(cells.values), std::move(cells.index)});
+            add_attribute(mesh, values.name, Place::cell, std::move(cells.values),
+                          std::move(cells.index));
             continue;
         }
         add_side(mesh, values, Place::cell, std::move(cells), 0);
