@@ -1,8 +1,25 @@
 #include "container/head.h"
 
+#include <bit>
 #include <cmath>
 
 namespace ravel {
+namespace {
+
+// Doubles of a grid are stored as float32 where that is all they are.
+bool fits_float32(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
+
+void put(ByteWriter& out, double x, bool narrow) {
+    if (narrow)
+        out.u32(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+    else
+        out.f64(x);
+}
+double get(ByteReader& in, bool narrow) {
+    return narrow ? static_cast<double>(std::bit_cast<float>(in.u32())) : in.f64();
+}
+
+}  // namespace
 
 const char* name_of(SectionId id) {
     switch (id) {
@@ -21,23 +38,29 @@ const char* name_of(SectionId id) {
 
 Bytes write_head(const Head& head) {
     ByteWriter out;
+    const double numbers[] = {head.step, head.origin[0], head.origin[1], head.origin[2], head.bound, head.error};
+    bool narrow = !head.lossless;
+    for (const double x : numbers) narrow = narrow && fits_float32(x);
     out.u8(static_cast<std::uint8_t>((head.kind == CellKind::tet ? 1 : 0) |
                                      (head.position_scalar == Scalar::f64 ? 2 : 0) |
-                                     (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0)));
+                                     (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) |
+                                     (narrow ? 16 : 0)));
     if (!head.lossless) {
         out.u8(head.position_bits);
-        out.f64(head.step);
-        for (const double o : head.origin) out.f64(o);
-        out.f64(head.bound);
-        out.f64(head.error);
+        for (const double x : numbers) put(out, x, narrow);
     }
     out.varint(head.attributes.size());
     for (const AttributeHead& a : head.attributes) {
         out.text(a.name);
         out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(a.place) | (a.indexed ? 8u : 0u) |
                                          static_cast<unsigned>(a.scalar) << 4));
-        out.varint(a.arity);
+        out.varint(std::uint64_t{a.arity} << 1 | (a.references.empty() ? 0 : 1));
         out.varint(a.tuples);
+        if (!a.references.empty()) out.varint(a.references.size());
+        for (const Reference& r : a.references) {
+            out.varint(std::uint64_t{r.component} << 1 | (r.place == Place::cell ? 1 : 0));
+            out.varint(zigzag(r.base));
+        }
     }
     return out.take();
 }
@@ -47,17 +70,18 @@ Result<Head> read_head(ByteReader& in) {
     const auto bad = [&](const char* why) { return Error{Code::corrupt, start, why}; };
     Head head;
     const unsigned flags = in.u8();
-    if (flags > 15) return bad("the head has flags this version does not know");
+    if (flags > 31 || (flags & 20) == 20) return bad("the head has flags this version does not know");
     head.kind = flags & 1 ? CellKind::tet : CellKind::polygon;
     head.position_scalar = flags & 2 ? Scalar::f64 : Scalar::f32;
     head.lossless = (flags & 4) != 0;
     head.keeps_order = (flags & 8) != 0;
     if (!head.lossless) {
         head.position_bits = in.u8();
-        head.step = in.f64();
-        for (double& o : head.origin) o = in.f64();
-        head.bound = in.f64();
-        head.error = in.f64();
+        const bool narrow = (flags & 16) != 0;
+        head.step = get(in, narrow);
+        for (double& o : head.origin) o = get(in, narrow);
+        head.bound = get(in, narrow);
+        head.error = get(in, narrow);
         bool sane = std::isfinite(head.step) && head.step > 0 && std::isfinite(head.bound);
         for (const double o : head.origin) sane = sane && std::isfinite(o);
         if (in.ok() && !sane) return bad("the grid of the positions makes no sense");
@@ -68,8 +92,17 @@ Result<Head> read_head(ByteReader& in) {
         AttributeHead a;
         a.name = in.text();
         const unsigned kind = in.u8();
-        const std::uint64_t arity = in.varint();
+        const std::uint64_t width = in.varint(), arity = width >> 1;
         a.tuples = in.varint();
+        const std::uint64_t references = width & 1 ? in.varint() : 0;
+        if (references > in.left() / 2) return bad("more references than the head has room for");
+        for (std::uint64_t r = 0; r < references; ++r) {
+            const std::uint64_t component = in.varint();
+            const std::int64_t base = unzigzag(in.varint());
+            if (component >> 1 >= arity) return bad("an attribute refers by a component it has not");
+            a.references.push_back({static_cast<std::uint32_t>(component >> 1),
+                                    component & 1 ? Place::cell : Place::point, base});
+        }
         if ((kind & 7) > static_cast<unsigned>(Place::mesh) || kind >> 4 > static_cast<unsigned>(Scalar::f64) ||
             arity == 0 || arity > kMostArity)
             return bad("an attribute of a kind this version does not know");

@@ -18,6 +18,7 @@ struct AttributeHead {
     std::uint32_t arity = 1;
     bool indexed = false;
     Index tuples = 0;
+    std::vector<Reference> references;
 };
 
 struct Head {

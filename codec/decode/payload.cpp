@@ -83,6 +83,7 @@ Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, 
         const std::uint64_t stride = std::uint64_t{head.arity} * size_of(head.scalar);
         if (head.tuples > in.left() / stride) return corrupt(in, "an attribute has fewer bytes than tuples");
         attribute.values = array_of_planes(head.scalar, head.arity, in.raw(head.tuples * stride));
+        attribute.references = head.references;
         mesh.attributes.push_back(std::move(attribute));
     }
     return check_end(in);
@@ -166,7 +167,7 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
         for (Index& host : block.hosts) host = order.old_cell[host];
     }
     for (const Attribute& attribute : mesh.attributes) {
-        Attribute moved{attribute.name, attribute.place, attribute.values, attribute.index};
+        Attribute moved = attribute;
         const std::vector<Index>* from = attribute.place == Place::point    ? &new_point
                                          : attribute.place == Place::cell   ? &new_cell
                                          : attribute.place == Place::corner ? &new_corner
@@ -177,6 +178,7 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
             else
                 for (std::size_t i = 0; i < moved.index.size(); ++i) moved.index[i] = attribute.index[(*from)[i]];
         }
+        renumber(moved, order.old_point, order.old_cell);
         out.attributes.push_back(std::move(moved));
     }
     out.tag_names = mesh.tag_names;

@@ -139,7 +139,7 @@ Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& op
     head.error = plan.error;
     for (const Attribute& a : mesh.attributes)
         head.attributes.push_back({a.name, a.place, a.values.scalar, a.values.arity, is_pool(mesh, a),
-                                   a.values.count()});
+                                   a.values.count(), a.references});
     return head;
 }
 
@@ -227,11 +227,11 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const std::vector<Index> unused(order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points),
                                     order.old_point.end());
     section(SectionId::positions, write_positions(*plan, complex, record, unused));
-    if (!mesh.companions.empty())
-        section(SectionId::companions,
-                write_companions(mesh, inverse_of(order.old_point, mesh.point_count()),
-                                 inverse_of(order.old_cell, mesh.cell_count())));
-    if (!mesh.attributes.empty()) section(SectionId::attributes, write_attributes(mesh, order));
+    const std::vector<Index> new_point = inverse_of(order.old_point, mesh.point_count());
+    const std::vector<Index> new_cell = inverse_of(order.old_cell, mesh.cell_count());
+    if (!mesh.companions.empty()) section(SectionId::companions, write_companions(mesh, new_point, new_cell));
+    if (!mesh.attributes.empty())
+        section(SectionId::attributes, write_attributes(mesh, order, new_point, new_cell));
     if (!mesh.tag_names.empty() || !mesh.notes.empty()) section(SectionId::names, write_names(mesh));
     if (options.keep_order) section(SectionId::order, write_order(order));
     out.u8(static_cast<std::uint8_t>(SectionId::end));

@@ -66,9 +66,16 @@ Bytes write_companions(const Mesh& mesh, const std::vector<Index>& new_point, co
     return out.take();
 }
 
-Bytes write_attributes(const Mesh& mesh, const Reorder& order) {
+Bytes write_attributes(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
+                       const std::vector<Index>& new_cell) {
     ByteWriter out;
-    for (const Attribute& attribute : mesh.attributes) {
+    Attribute renumbered;
+    for (const Attribute& given : mesh.attributes) {
+        if (!given.references.empty()) {
+            renumbered = given;
+            renumber(renumbered, new_point, new_cell);
+        }
+        const Attribute& attribute = given.references.empty() ? given : renumbered;
         const std::vector<Index> old = old_elements(mesh, order, attribute.place);
         const bool moves = attribute.place == Place::point || attribute.place == Place::cell ||
                            attribute.place == Place::corner;

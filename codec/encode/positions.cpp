@@ -47,6 +47,15 @@ Box box_of(const Array& positions, std::size_t points) {
     return box;
 }
 
+// The nearest float32 that is not below (above) x, where x has one near by; the head then stores it in half the
+// bytes. Both are at most one unit in the last place of a float32 away.
+double float32_above(double x) {
+    if (!(std::abs(x) < 1e30) || (x != 0 && std::abs(x) < 1e-30)) return x;
+    const auto f = static_cast<float>(x);
+    return static_cast<double>(static_cast<double>(f) >= x ? f : std::nextafter(f, INFINITY));
+}
+double float32_below(double x) { return -float32_above(-x); }
+
 // Puts every point on the grid; those that miss `bound` become outliers.
 void place_on_grid(const Array& positions, PositionPlan& plan) {
     const std::size_t points = positions.count();
@@ -106,21 +115,29 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
     }
     plan.format.grid = true;
     plan.outlier.assign(points, false);
-    const Box box = box_of(positions, points);
+    Box box = box_of(positions, points);
+    // An origin of few digits, unless the mesh lies so far from zero that it would widen the box.
+    const double spare =
+        options.position_bits ? std::ldexp(box.longest, -*options.position_bits - 4) : *options.max_error / 4;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double origin = float32_below(box.low[axis]);
+        if (box.low[axis] - origin < spare) box.low[axis] = origin;
+        box.longest = std::max(box.longest, box.high[axis] - box.low[axis]);
+    }
     plan.grid.origin = box.low;
     const double longest = std::isfinite(box.longest) ? box.longest : 0;
     if (options.position_bits) {
         const double cells = std::ldexp(1.0, *options.position_bits) - 1;
-        plan.grid.step = longest / cells;
+        plan.grid.step = float32_above(longest / cells);
         if (!(plan.grid.step > 0) || !std::isfinite(plan.grid.step)) plan.grid.step = 1;
         plan.bits = static_cast<std::uint8_t>(*options.position_bits);
         // Half a step, and what rounding to the mesh's floats can add.
-        plan.bound = plan.grid.step / 2 +
-                     box.farthest * (plan.format.narrow ? 0x1p-23 : 0x1p-51);
+        plan.bound = float32_above(plan.grid.step / 2 +
+                                   box.farthest * (plan.format.narrow ? 0x1p-23 : 0x1p-51));
         place_on_grid(positions, plan);
     } else {
         plan.bound = *options.max_error;
-        plan.grid.step = 2 * plan.bound;
+        plan.grid.step = float32_below(2 * plan.bound);
         if (longest / plan.grid.step >= static_cast<double>(kMostGrid))
             return Error{Code::bad_option, 0,
                          "the largest error asked for is too small for a grid over this mesh; leave it out to "
@@ -128,13 +145,14 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         place_on_grid(positions, plan);
         // Rounding may push points over the bound; a slightly finer grid leaves room for it.
         for (int attempt = 0; attempt < 3 && plan.format.has_outliers; ++attempt) {
-            plan.grid.step *= 1 - std::ldexp(1.0, -12 + 4 * attempt);
+            plan.grid.step = float32_below(plan.grid.step * (1 - std::ldexp(1.0, -12 + 4 * attempt)));
             place_on_grid(positions, plan);
         }
         plan.bits = static_cast<std::uint8_t>(
             std::bit_width(static_cast<std::uint64_t>(std::ceil(longest / plan.grid.step))));
     }
     if (!plan.format.has_outliers) plan.outlier.clear();
+    plan.error = std::min(float32_above(plan.error), plan.bound);
     return plan;
 }
 

@@ -100,6 +100,24 @@ Status check_companions(const Mesh& mesh) {
     return Done{};
 }
 
+Status check_references(const Mesh& mesh, const Attribute& attribute, std::size_t a) {
+    const std::string where = "attribute \"" + attribute.name + "\"";
+    const Scalar scalar = attribute.values.scalar;
+    for (const Reference& r : attribute.references) {
+        if (is_float(scalar) || size_of(scalar) < 4) return bad(a, where + " refers by something else than 32-bit integers");
+        if (r.component >= attribute.values.arity || (r.place != Place::point && r.place != Place::cell))
+            return bad(a, where + " refers by a component it has not, or to what has no order");
+        const Index count = element_count(mesh, r.place);
+        const std::int64_t most = scalar == Scalar::i32   ? std::int64_t{0x7FFFFFFF}
+                                  : scalar == Scalar::u32 ? std::int64_t{0xFFFFFFFF}
+                                                          : std::int64_t{1} << 62;
+        if (r.base < -(std::int64_t{1} << 40) || r.base > std::int64_t{1} << 40 ||
+            r.base + static_cast<std::int64_t>(count) > most)
+            return bad(a, where + " is too narrow for the numbers it would need");
+    }
+    return Done{};
+}
+
 Status check_attributes(const Mesh& mesh) {
     for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
         const Attribute& attribute = mesh.attributes[a];
@@ -107,6 +125,7 @@ Status check_attributes(const Mesh& mesh) {
         const Array& values = attribute.values;
         if (values.arity == 0 || values.arity > 65535 || values.bytes.size() % values.stride() != 0)
             return bad(a, where + " has no whole number of tuples");
+        if (Status status = check_references(mesh, attribute, a); !status) return status;
         if (attribute.place == Place::mesh) {
             if (!attribute.index.empty()) return bad(a, where + " is of the mesh and has no index");
             continue;

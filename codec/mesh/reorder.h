@@ -31,6 +31,10 @@ inline std::uint32_t old_corner(CellKind kind, std::uint32_t turn, std::uint32_t
 // from[new] = old turned round; `count` is the size of the old side.
 std::vector<Index> inverse_of(const std::vector<Index>& from, Index count);
 
+// Renumbers the elements that `attribute` refers to: number n of a point becomes point[n], of a cell
+// cell[n]; what names no element stays.
+void renumber(Attribute& attribute, const std::vector<Index>& point, const std::vector<Index>& cell);
+
 // Tuple i of the result is tuple from[i] of `array`.
 Array gather(const Array& array, const std::vector<Index>& from);
 

@@ -137,7 +137,19 @@ class Comparer {
         }
     }
 
-    bool same_attribute(const Attribute& x, const Attribute& y) {
+    bool same_attribute(const Attribute& given, const Attribute& y) {
+        if (given.references.size() != y.references.size()) return false;
+        for (std::size_t i = 0; i < y.references.size(); ++i) {
+            const Reference &r = given.references[i], &t = y.references[i];
+            if (r.component != t.component || r.place != t.place || r.base != t.base) return false;
+        }
+        if (given.references.empty()) return same_values(given, y);
+        Attribute renumbered = given;
+        renumber(renumbered, order_.point, order_.cell);
+        return same_values(renumbered, y);
+    }
+
+    bool same_values(const Attribute& x, const Attribute& y) {
         if (x.name != y.name || x.place != y.place || x.values.scalar != y.values.scalar ||
             x.values.arity != y.values.arity || x.values.bytes.size() != y.values.bytes.size() ||
             x.index.size() != y.index.size())

@@ -45,6 +45,15 @@ Array make_array(Scalar scalar, std::uint32_t arity, std::size_t count);
 enum class Place : std::uint8_t { point, corner, cell, companion, mesh };
 const char* name_of(Place place);
 
+// Component `component` of every tuple is a number of a point or cell, counted from `base`; numbers that
+// name none (0 or -1 for "no neighbour") are allowed and kept. The numbers follow their elements
+// when a file changes the order.
+struct Reference {
+    std::uint32_t component = 0;
+    Place place = Place::point;  // point or cell
+    std::int64_t base = 0;
+};
+
 // Named values on points, cell corners, cells, companion cells (all blocks one after the other) or
 // the mesh as a whole (any number of tuples).
 // With `index` empty there is one tuple per element. Otherwise element i has tuple index[i], or none
@@ -54,6 +63,7 @@ struct Attribute {
     Place place = Place::point;
     Array values;
     std::vector<Index> index;
+    std::vector<Reference> references;  // empty for all but a few; values are then 32- or 64-bit integers
 };
 
 // Cells that ride along with the main kind: boundary triangles, lines, points, the edge nodes of
