@@ -1,8 +1,9 @@
-// Breadth-first search for alternating walks [Petersen1891, Berge1957], over states (node, hungry or full):
-// hungry has lost an edge of the set and takes one from outside it, full has gained one and gives one away.
-// A walk from a path end to another path end, toggled, adds one edge and changes no other degree.
-// Walks may pass a node twice but no edge twice: a state is reached once, so only the same edge run
-// backwards has to be looked for on the walk. That (no blossoms are shrunk) makes the result near-maximum.
+// Breadth-first search for alternating walks [Petersen1891, Berge1957], over states (node, hungry
+// or full): hungry has lost an edge of the set and takes one from outside it, full has gained one
+// and gives one away. A walk from a path end to another path end, toggled, adds one edge and
+// changes no other degree. Walks may pass a node twice but no edge twice: a state is reached once,
+// so only the same edge run backwards has to be looked for on the walk. That (no blossoms are
+// shrunk) makes the result near-maximum.
 // Cost: linear for short walks; a search gives up after `limits.visits` states.
 #include "graph/augment.h"
 
@@ -30,8 +31,8 @@ class Repair {
 
     int degree(GraphId node) const { return degree_[node]; }
 
-    // The shortest walk from `start` met within `limit` states, toggled. Gives the node where the walk
-    // ends, or kNoGraphId.
+    // The shortest walk from `start` met within `limit` states, toggled. Gives the node where the
+    // walk ends, or kNoGraphId.
     GraphId search(GraphId start, GraphId limit) {
         ++stamp_;
         start_ = start;

@@ -1,9 +1,11 @@
-// Alternating walks between path ends, as in graph/augment [Petersen1891], grown from all ends at once: a breadth-first
-// forest over states (node, hungry or full). Where the full state of a node is in one tree and the hungry state in
-// another, the two walks to it make one walk between two ends; toggled, it closes a path or joins two.
-// A node may also turn singleton: it gives away both its edges. Such steps wait until no others are left.
-// Trees whose end is served grow no more; what they hold is free again in the next round.
-// Cost: linear per round; a round that joins nothing is the last, and there are at most eight per price.
+// Alternating walks between path ends, as in graph/augment [Petersen1891], grown from all ends at
+// once: a breadth-first forest over states (node, hungry or full). Where the full state of a node
+// is in one tree and the hungry state in another, the two walks to it make one walk between two
+// ends; toggled, it closes a path or joins two. A node may also turn singleton: it gives away both
+// its edges. Such steps wait until no others are left. Trees whose end is served grow no more; what
+// they hold is free again in the next round.
+// Cost: linear per round; a round that joins nothing is the last, and there are at most eight per
+// price.
 #include "graph/close.h"
 
 #include <algorithm>
@@ -27,8 +29,8 @@ class Forest {
             if (degree_[n] == 1) ++ends_left_[parts_.of[n]];
     }
 
-    // Free walks all over before any that cost singletons. A part where a round joins nothing is done
-    // with at that price.
+    // Free walks all over before any that cost singletons. A part where a round joins nothing is
+    // done with at that price.
     void run() {
         for (const int price : {0, kMaxPrice}) {
             std::fill(active_.begin(), active_.end(), std::uint8_t{1});
@@ -62,7 +64,8 @@ class Forest {
         queue_.clear();
         for (GraphId n = 0; n < graph_.node_count(); ++n) {
             const GraphId part = parts_.of[n];
-            if (degree_[n] != 1 || active_[part] == 0 || (most > 0 && ends_left_[part] <= 2)) continue;
+            if (degree_[n] != 1 || active_[part] == 0 || (most > 0 && ends_left_[part] <= 2))
+                continue;
             visits_[2 * n] = {round_, kNoGraphId, kNoGraphId, n};
             queue_.push_back(2 * n);
         }
@@ -106,8 +109,8 @@ class Forest {
         queue_.push_back(step.to);
     }
 
-    // A walk reaches no state twice, so it can use an edge twice only in both directions. Free rounds let no
-    // tree do so at all: that is faster and, measured, leaves fewer cycles to merge.
+    // A walk reaches no state twice, so it can use an edge twice only in both directions. Free
+    // rounds let no tree do so at all: that is faster and, measured, leaves fewer cycles to merge.
     bool runs_back(const Step& step) const {
         const State back = (step.from & ~State{1}) | (step.to & 1);
         if (!seen(back) || visits_[back].edge != step.edge ||
@@ -119,7 +122,8 @@ class Forest {
         return false;
     }
 
-    // Toggles the walks to both states, unless they share edges with each other or with one toggled before.
+    // Toggles the walks to both states, unless they share edges with each other or with one toggled
+    // before.
     bool join(State a, State b) {
         GraphId& left = ends_left_[parts_.of[a / 2]];
         if (left <= 2 && price_ > 0) return false;
@@ -162,7 +166,8 @@ class Forest {
     std::vector<State> queue_;
     std::vector<Step> dear_;
     std::vector<GraphId> walk_;
-    std::vector<std::uint8_t> active_, joined_;  // part -> 1 where this round looks; where it joined
+    std::vector<std::uint8_t> active_,
+        joined_;  // part -> 1 where this round looks; where it joined
     GraphId round_ = 0;
     int price_ = 0, most_ = 0;
     bool any_ = false;

@@ -5,8 +5,9 @@
 
 namespace ravel {
 
-// Turns paths into cycles and singletons, with few singletons, but leaves the last path of a connected
-// part where closing it would take one. Paths that no walk reaches stay (`cut_paths` ends them).
+// Turns paths into cycles and singletons, with few singletons, but leaves the last path of a
+// connected part where closing it would take one. Paths that no walk reaches stay (`cut_paths` ends
+// them).
 EdgeSet close_paths(const Graph& graph, EdgeSet set);
 
 }  // namespace ravel

@@ -1,5 +1,6 @@
-// Dynamic programme along each path x1 .. xk: a piece xi .. xj is a cycle where an edge outside the set joins
-// xi and xj (a chord, or a parallel edge), and a singleton where i = j; fewest(j) = 1 + min fewest(i - 1).
+// Dynamic programme along each path x1 .. xk: a piece xi .. xj is a cycle where an edge outside the
+// set joins xi and xj (a chord, or a parallel edge), and a singleton where i = j; fewest(j) = 1 +
+// min fewest(i - 1).
 // Cost: linear, for a node has few edges and each is looked at twice.
 #include "graph/cut.h"
 
@@ -38,11 +39,13 @@ EdgeSet cut_paths(const Graph& graph, EdgeSet set) {
             }
         }
         GraphId& kept = keep[parts.of[strips.node[begin]]];
-        if (kept == kNoGraphId || best[end - 1].pieces > best[strips.first[kept + 1] - 1].pieces) kept = s;
+        if (kept == kNoGraphId || best[end - 1].pieces > best[strips.first[kept + 1] - 1].pieces)
+            kept = s;
     }
     for (GraphId s = 0; s < strips.count(); ++s) {
         const GraphId begin = strips.first[s];
-        if (strips.shape[s] != StripShape::path || keep[parts.of[strips.node[begin]]] == s) continue;
+        if (strips.shape[s] != StripShape::path || keep[parts.of[strips.node[begin]]] == s)
+            continue;
         for (GraphId j = strips.first[s + 1]; j > begin;) {
             const Piece& piece = best[j - 1];
             if (piece.chord != kNoGraphId) set[piece.chord] = 1;

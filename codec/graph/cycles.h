@@ -10,8 +10,8 @@ namespace ravel {
 
 enum class StripShape : std::uint8_t { singleton, path, cycle };
 
-// Strip s visits node[i] for i in [first[s], first[s + 1]), and goes from node[i] to the next through
-// edge[i]; the last node of a cycle goes back to the first, that of a path has kNoGraphId.
+// Strip s visits node[i] for i in [first[s], first[s + 1]), and goes from node[i] to the next
+// through edge[i]; the last node of a cycle goes back to the first, that of a path has kNoGraphId.
 struct StripList {
     std::vector<GraphId> first;
     std::vector<StripShape> shape;

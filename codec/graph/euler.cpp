@@ -1,9 +1,9 @@
 // Petersen's theorem made linear [Petersen1891]: colour the edges of an Euler tour [Hierholzer1873]
-// A B A B; a node the tour passes d/2 times gets d/2 edges of each colour.
-// Nodes of degree above four first keep four edges, evenly spread over their rows. Odd nodes are joined to
-// one dummy node, where the tours of their parts start, so that only the dummy meets a tour's odd seam.
-// Parts without odd nodes start at a node of degree two if there is one: with an odd number of edges its two
-// get the same colour, which does no harm; without one the number of edges is even.
+// A B A B; a node the tour passes d/2 times gets d/2 edges of each colour. Nodes of degree above
+// four first keep four edges, evenly spread over their rows. Odd nodes are joined to one dummy
+// node, where the tours of their parts start, so that only the dummy meets a tour's odd seam. Parts
+// without odd nodes start at a node of degree two if there is one: with an odd number of edges its
+// two get the same colour, which does no harm; without one the number of edges is even.
 // Cost: linear in nodes and edges.
 #include "graph/euler.h"
 

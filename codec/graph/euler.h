@@ -5,8 +5,8 @@
 
 namespace ravel {
 
-// In a 4-regular graph the result is a 2-factor. Elsewhere nodes of degree four have two edges in it,
-// of three one or two, of two one or two, and the rest is for `augment`. Linear.
+// In a 4-regular graph the result is a 2-factor. Elsewhere nodes of degree four have two edges in
+// it, of three one or two, of two one or two, and the rest is for `augment`. Linear.
 EdgeSet euler_matching(const Graph& graph);
 
 }  // namespace ravel

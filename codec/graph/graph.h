@@ -29,7 +29,9 @@ struct Graph {
     std::vector<Arc> arcs;                       // two per edge, ascending by edge at each node
     std::vector<std::array<GraphId, 2>> ends;    // edge -> its nodes
 
-    GraphId node_count() const { return first.empty() ? 0 : static_cast<GraphId>(first.size() - 1); }
+    GraphId node_count() const {
+        return first.empty() ? 0 : static_cast<GraphId>(first.size() - 1);
+    }
     GraphId edge_count() const { return static_cast<GraphId>(ends.size()); }
     GraphId degree(GraphId node) const { return first[node + 1] - first[node]; }
     std::span<const Arc> at(GraphId node) const {

@@ -1,9 +1,11 @@
-// Generalises the paper's nodal processing [DiazGopi2005, 3.1], whose rings are fans meeting each strip once. A ring
-// takes edges from strips, which fall into segments, and joins their ends by its other edges; whether one strip comes out
-// depends on the order and direction in which the strips run through the ring. Ropes know both. This is the k-opt
-// move of travelling salesmen [LinKernighan1973] with the number of tours in place of their length.
-// Rings are searched depth first from the edges of strips that are not the majority of their part, short ones first.
-// Cost: some hundreds of steps per edge of a small strip; the majority is touched once per pass and now and then by a rope.
+// Generalises the paper's nodal processing [DiazGopi2005, 3.1], whose rings are fans meeting each
+// strip once. A ring takes edges from strips, which fall into segments, and joins their ends by its
+// other edges; whether one strip comes out depends on the order and direction in which the strips
+// run through the ring. Ropes know both. This is the k-opt move of travelling salesmen
+// [LinKernighan1973] with the number of tours in place of their length. Rings are searched depth
+// first from the edges of strips that are not the majority of their part, short ones first.
+// Cost: some hundreds of steps per edge of a small strip; the majority is touched once per pass and
+// now and then by a rope.
 #include "graph/rings.h"
 
 #include <algorithm>
@@ -49,7 +51,8 @@ class Merger {
             sets_.weigh(s, strips_.size(s));
             if (part_size_[parts_.of[strips_.node[strips_.first[s]]]] == strips_.size(s)) continue;
             ropes_[s] = Rope({strips_.node.data() + strips_.first[s], strips_.size(s)});
-            for (GraphId i = 0; i < strips_.size(s); ++i) place_[strips_.node[strips_.first[s] + i]] = i;
+            for (GraphId i = 0; i < strips_.size(s); ++i)
+                place_[strips_.node[strips_.first[s] + i]] = i;
         }
     }
 
@@ -84,8 +87,8 @@ class Merger {
         return 0;
     }
 
-    // Depth first over rings through `first`; level 2k chooses the edge out of head k, level 2k + 1 the
-    // strip edge from tail k + 1.
+    // Depth first over rings through `first`; level 2k chooses the edge out of head k, level 2k + 1
+    // the strip edge from tail k + 1.
     bool find_ring(GraphId first, int edges) {
         std::array<GraphId, 2 * kMaxRingEdges> next{};
         ring_.size = edges;
@@ -152,7 +155,8 @@ class Merger {
             return a.strip != b.strip ? a.strip < b.strip : a.rank < b.rank;
         });
         for (std::size_t i = 1; i < cuts_.size(); ++i)
-            if (cuts_[i].strip == cuts_[i - 1].strip && cuts_[i].rank == cuts_[i - 1].rank) return false;
+            if (cuts_[i].strip == cuts_[i - 1].strip && cuts_[i].rank == cuts_[i - 1].rank)
+                return false;
         return true;
     }
 
@@ -180,7 +184,8 @@ class Merger {
         bool reversed = false;
         do {
             walked_.push_back({segment, reversed});
-            // Leave the segment at a side of a cut: the node before it, or behind it when running backwards.
+            // Leave the segment at a side of a cut: the node before it, or behind it when running
+            // backwards.
             const Cut& cut = cuts_[reversed ? segment : next_cut(segment)];
             const bool at_tail = cut.forward != reversed;
             const int link = (cut.link + (at_tail ? ring_.size - 1 : 1)) % ring_.size;

@@ -19,9 +19,9 @@ struct RingLimits {
 };
 inline constexpr int kMaxRingEdges = 6;
 
-// A ring of edges by turns in and out of the set is toggled where all strips it meets become one. Unlike a
-// fan it may meet a strip several times. Degrees stay as they are. Linear, with
-// a large constant where many small strips can't be merged.
+// A ring of edges by turns in and out of the set is toggled where all strips it meets become one.
+// Unlike a fan it may meet a strip several times. Degrees stay as they are. Linear, with a large
+// constant where many small strips can't be merged.
 RingMerge merge_rings(const Graph& graph, EdgeSet set, const RingLimits& limits = {});
 
 }  // namespace ravel

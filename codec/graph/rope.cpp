@@ -1,4 +1,5 @@
-// Runs in order and an index of them by place. When there are too many, the nodes are listed anew in order.
+// Runs in order and an index of them by place. When there are too many, the nodes are listed anew
+// in order.
 // Cost: rank log runs, join runs log runs and, once in kMaxRuns / 3 joins or so, linear.
 #include "graph/rope.h"
 
@@ -14,8 +15,9 @@ constexpr std::size_t kMaxRuns = 1024;
 }  // namespace
 
 GraphId Rope::rank(GraphId place) const {
-    const auto after = std::upper_bound(by_place_.begin(), by_place_.end(), place,
-                                        [&](GraphId p, GraphId run) { return p < runs_[run].begin; });
+    const auto after =
+        std::upper_bound(by_place_.begin(), by_place_.end(), place,
+                         [&](GraphId p, GraphId run) { return p < runs_[run].begin; });
     const Run& run = runs_[*(after - 1)];
     return run.rank + (run.reversed ? run.end - 1 - place : place - run.begin);
 }
@@ -47,7 +49,8 @@ void Rope::join(std::span<const Stretch> stretches, std::vector<GraphId>& place)
         }
         if (stretch.reversed) {
             std::reverse(joined.begin() + static_cast<std::ptrdiff_t>(from), joined.end());
-            for (std::size_t i = from; i < joined.size(); ++i) joined[i].reversed = !joined[i].reversed;
+            for (std::size_t i = from; i < joined.size(); ++i)
+                joined[i].reversed = !joined[i].reversed;
         }
         for (std::size_t i = from; i < joined.size(); ++i) {
             joined[i].rank = rank;

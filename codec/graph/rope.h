@@ -8,8 +8,8 @@
 
 namespace ravel {
 
-// The order is a list of runs through `nodes`, some backwards. Cutting and joining costs the number of runs,
-// which `tidy` keeps low.
+// The order is a list of runs through `nodes`, some backwards. Cutting and joining costs the number
+// of runs, which `tidy` keeps low.
 class Rope {
   public:
     // A stretch of the order: ranks [begin, end), backwards where `reversed`.
@@ -20,7 +20,9 @@ class Rope {
     };
 
     Rope() = default;
-    explicit Rope(std::span<const GraphId> nodes) : nodes_(nodes.begin(), nodes.end()) { start_anew(); }
+    explicit Rope(std::span<const GraphId> nodes) : nodes_(nodes.begin(), nodes.end()) {
+        start_anew();
+    }
 
     GraphId size() const { return static_cast<GraphId>(nodes_.size()); }
     const std::vector<GraphId>& nodes() const { return nodes_; }
@@ -28,8 +30,8 @@ class Rope {
     // The rank in the order of the node at `place` in nodes().
     GraphId rank(GraphId place) const;
 
-    // Becomes the stretches one after the other: all of its own ranks and those of other ropes, whose nodes are
-    // appended. `place` (node -> place in its rope) follows.
+    // Becomes the stretches one after the other: all of its own ranks and those of other ropes,
+    // whose nodes are appended. `place` (node -> place in its rope) follows.
     void join(std::span<const Stretch> stretches, std::vector<GraphId>& place);
 
   private:

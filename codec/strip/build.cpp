@@ -1,5 +1,5 @@
-// Dual graph -> 2-matching (steered walk or Euler tour) -> maximum by alternating walks -> surplus paths closed ->
-// strips merged around fans, then by longer rings -> tree of links.
+// Dual graph -> 2-matching (steered walk or Euler tour) -> maximum by alternating walks -> surplus
+// paths closed -> strips merged around fans, then by longer rings -> tree of links.
 // Cost: near-linear; about 1 s per million cells.
 #include "strip/build.h"
 
@@ -20,8 +20,8 @@ namespace ravel {
 
 namespace {
 
-// Measured over the corpus as links and as bits of the turns: on surfaces every step away from the rule costs more than
-// the dead end it avoids, unless it is a cell that nothing else leads to.
+// Measured over the corpus as links and as bits of the turns: on surfaces every step away from the
+// rule costs more than the dead end it avoids, unless it is a cell that nothing else leads to.
 constexpr Id kPolygonLookAhead = 1;
 constexpr Id kTetLookAhead = 2;
 

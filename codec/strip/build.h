@@ -7,8 +7,8 @@
 namespace ravel {
 
 struct StripEffort {
-    // Strip edges on the longest ring that is toggled to merge strips (graph/rings.h): long rings save links but make
-    // the strip turn more often. 0: fans only, as the paper.
+    // Strip edges on the longest ring that is toggled to merge strips (graph/rings.h): long rings
+    // save links but make the strip turn more often. 0: fans only, as the paper.
     int ring_edges = 6;
 };
 

@@ -1,5 +1,5 @@
-// Shares nothing with the makers: roles are read off facets, strips are traced and the tree is counted: a
-// component of s strips is a tree when its links connect them and number s - 1.
+// Shares nothing with the makers: roles are read off facets, strips are traced and the tree is
+// counted: a component of s strips is a tree when its links connect them and number s - 1.
 // Cost: linear.
 #include "strip/check.h"
 
@@ -51,12 +51,14 @@ Status check_strip(const Complex& complex, const Strip& strip) {
     const Id parts = label(complex, part, [](Id) { return true; });
     const Id trees = label(complex, linked, [&](Id f) { return strip.role[f] != FacetRole::none; });
     if (trees != parts) return wrong(0, "links leave a component in pieces");
-    const Id pieces = label(complex, piece, [&](Id f) { return strip.role[f] == FacetRole::strip; });
+    const Id pieces =
+        label(complex, piece, [&](Id f) { return strip.role[f] == FacetRole::strip; });
 
     std::vector<Id> links(parts, 0), strips(parts, 0), root(parts, kNone), ends(pieces, 0);
     std::vector<std::uint8_t> counted(pieces, 0);
     for (Id f = 0; f < complex.twin.size(); ++f)
-        if (strip.role[f] == FacetRole::link && f < complex.twin[f]) ++links[part[complex.cell_of[f]]];
+        if (strip.role[f] == FacetRole::link && f < complex.twin[f])
+            ++links[part[complex.cell_of[f]]];
     for (Id c = 0; c < cells; ++c) {
         if (counted[piece[c]] == 0) ++strips[part[c]];
         counted[piece[c]] = 1;

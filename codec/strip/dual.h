@@ -9,8 +9,9 @@
 
 namespace ravel {
 
-// Nodes are the cells in another order, so that neighbours in the mesh are neighbours in memory: files
-// often list cells at random, and everything after the first walk is several times faster this way.
+// Nodes are the cells in another order, so that neighbours in the mesh are neighbours in memory:
+// files often list cells at random, and everything after the first walk is several times faster
+// this way.
 struct Dual {
     Graph graph;
     std::vector<Id> cell_of;   // node -> cell

@@ -1,7 +1,8 @@
-// Kruskal's tree over strips [DiazGopi2005, 3]: facets between different strips, cheapest first. A split
-// costs n - 1 cells per n-gon and three per tet, so small polygons go first, and two-gons (whose split has no
-// room for more) last; a cell that carries a link already is taken only when nothing else is left.
-// The root of a component is the lower end of its path, or else the lowest cell of its largest strip.
+// Kruskal's tree over strips [DiazGopi2005, 3]: facets between different strips, cheapest first. A
+// split costs n - 1 cells per n-gon and three per tet, so small polygons go first, and two-gons
+// (whose split has no room for more) last; a cell that carries a link already is taken only when
+// nothing else is left. The root of a component is the lower end of its path, or else the lowest
+// cell of its largest strip.
 // Cost: near-linear.
 #include "strip/links.h"
 
@@ -31,7 +32,8 @@ std::size_t price_of(const Complex& complex, Id facet) {
 Id root_of(const Dual& dual, const StripList& strips, GraphId strip) {
     const GraphId begin = strips.first[strip], end = strips.first[strip + 1];
     Id root = dual.cell_of[strips.node[begin]];
-    if (strips.shape[strip] == StripShape::path) return std::min(root, dual.cell_of[strips.node[end - 1]]);
+    if (strips.shape[strip] == StripShape::path)
+        return std::min(root, dual.cell_of[strips.node[end - 1]]);
     for (GraphId i = begin; i < end; ++i) root = std::min(root, dual.cell_of[strips.node[i]]);
     return root;
 }
@@ -91,7 +93,8 @@ Strip link_strips(const Complex& complex, const Dual& dual, const EdgeSet& set) 
     }
     std::vector<GraphId> order(parts.count);
     std::iota(order.begin(), order.end(), GraphId{0});
-    std::sort(order.begin(), order.end(), [&](GraphId a, GraphId b) { return lowest[a] < lowest[b]; });
+    std::sort(order.begin(), order.end(),
+              [&](GraphId a, GraphId b) { return lowest[a] < lowest[b]; });
     for (const GraphId part : order) strip.roots.push_back(roots[part]);
     return strip;
 }

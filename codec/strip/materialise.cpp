@@ -1,5 +1,6 @@
-// Links are split one after the other in an evolving mesh; the facet that carries a later link is outer to earlier
-// splits, so it moves to one of the pieces and splits nest. Then the strip is followed from each root.
+// Links are split one after the other in an evolving mesh; the facet that carries a later link is
+// outer to earlier splits, so it moves to one of the pieces and splits nest. Then the strip is
+// followed from each root.
 // Cost: linear in the output; a split is constant but for the corners of its polygons.
 #include "strip/materialise.h"
 
@@ -119,7 +120,8 @@ void append_blends(Array& values, const SplitMesh& split, const std::vector<Id>&
         for (std::size_t k = 0; k < arity; ++k) {
             double sum = 0;
             for (Id j = split.blend_first[i]; j < split.blend_first[i + 1]; ++j)
-                sum += split.weight[j] * static_cast<double>(v[point_of[split.blend[j]] * arity + k]);
+                sum +=
+                    split.weight[j] * static_cast<double>(v[point_of[split.blend[j]] * arity + k]);
             v[(old + i) * arity + k] = static_cast<T>(sum);
         }
     }
@@ -130,17 +132,21 @@ void append_points(Array& values, const SplitMesh& split, const std::vector<Id>&
     if (values.scalar == Scalar::f64) return append_blends<double>(values, split, point_of);
     for (std::size_t i = 0; i + 1 < split.blend_first.size(); ++i) {
         const std::size_t from = point_of[split.blend[split.blend_first[i]]] * values.stride();
-        for (std::size_t b = 0; b < values.stride(); ++b) values.bytes.push_back(values.bytes[from + b]);
+        for (std::size_t b = 0; b < values.stride(); ++b)
+            values.bytes.push_back(values.bytes[from + b]);
     }
 }
 
 std::vector<Attribute> carry_attributes(const Mesh& mesh, const SplitMesh& split,
-                                        const std::vector<Id>& point_of, const std::vector<Index>& parent) {
+                                        const std::vector<Id>& point_of,
+                                        const std::vector<Index>& parent) {
     std::vector<Attribute> carried;
     for (const Attribute& attribute : mesh.attributes) {
-        const bool names_cells = std::any_of(attribute.references.begin(), attribute.references.end(),
-                                             [](const Reference& r) { return r.place == Place::cell; });
-        if (attribute.place == Place::corner || attribute.place == Place::companion || names_cells) continue;
+        const bool names_cells =
+            std::any_of(attribute.references.begin(), attribute.references.end(),
+                        [](const Reference& r) { return r.place == Place::cell; });
+        if (attribute.place == Place::corner || attribute.place == Place::companion || names_cells)
+            continue;
         Attribute& copy = carried.emplace_back(attribute);
         if (attribute.place == Place::point && attribute.index.empty()) {
             append_points(copy.values, split, point_of);
@@ -168,9 +174,11 @@ Result<Materialised> materialise(const Mesh& mesh, const Complex& complex, const
     for (Id f = 0; f < complex.twin.size(); ++f) {
         if (strip.role[f] != FacetRole::link || f > complex.twin[f]) continue;
         const Id link = split.now[f];
-        if (!(complex.kind == CellKind::tet ? split_tets(split, link) : split_polygons(split, link)))
-            return Error{Code::bad_mesh, complex.cell_of[f],
-                         "cell " + std::to_string(complex.cell_of[f]) + " is too small to be split"};
+        if (!(complex.kind == CellKind::tet ? split_tets(split, link)
+                                            : split_polygons(split, link)))
+            return Error{
+                Code::bad_mesh, complex.cell_of[f],
+                "cell " + std::to_string(complex.cell_of[f]) + " is too small to be split"};
     }
     std::vector<Id> point_of = complex.point;
     for (std::size_t i = 0; i + 1 < split.blend_first.size(); ++i)
@@ -186,7 +194,8 @@ Result<Materialised> materialise(const Mesh& mesh, const Complex& complex, const
             const Id cell = t.cells[i];
             for (Id f = split.first[cell]; f < split.first[cell + 1]; ++f)
                 out.mesh.corners.push_back(point_of[split.vertex[f]]);
-            if (mesh.kind == CellKind::polygon) out.mesh.corner_begin.push_back(out.mesh.corners.size());
+            if (mesh.kind == CellKind::polygon)
+                out.mesh.corner_begin.push_back(out.mesh.corners.size());
             out.parent.push_back(split.parent[cell]);
             out.exit.push_back(t.exits[i] == kNone ? kNone : t.exits[i] - split.first[cell]);
         }
@@ -207,11 +216,14 @@ Result<Materialised> materialise(const Mesh& mesh, const Complex& complex, const
 
 Status check_materialised(const Mesh& original, const Materialised& result) {
     const Mesh& mesh = result.mesh;
-    const auto wrong = [](Index cell, const char* detail) { return Error{Code::corrupt, cell, detail}; };
+    const auto wrong = [](Index cell, const char* detail) {
+        return Error{Code::corrupt, cell, detail};
+    };
     if (Status status = check_mesh(mesh); !status) return status;
     const Index cells = mesh.cell_count();
     if (cells != original.cell_count() + result.added_cells || result.parent.size() != cells ||
-        result.exit.size() != cells || mesh.point_count() != original.point_count() + result.added_points)
+        result.exit.size() != cells ||
+        mesh.point_count() != original.point_count() + result.added_points)
         return wrong(0, "counts do not add up");
     if (result.first.empty() || result.first.front() != 0 || result.first.back() != cells ||
         result.closed.size() + 1 != result.first.size())
@@ -244,8 +256,10 @@ Status check_materialised(const Mesh& original, const Materialised& result) {
             if (result.exit[c] >= mesh.cell(c).size()) return wrong(c, "an exit is no facet");
             const std::vector<Index> shared = facet(c, result.exit[c]);
             bool touches = false;
-            for (std::size_t f = 0; f < mesh.cell(next).size(); ++f) touches |= facet(next, f) == shared;
-            if (!touches || next == c) return wrong(c, "a cell does not share its exit with the next");
+            for (std::size_t f = 0; f < mesh.cell(next).size(); ++f)
+                touches |= facet(next, f) == shared;
+            if (!touches || next == c)
+                return wrong(c, "a cell does not share its exit with the next");
         }
     }
     return Done{};

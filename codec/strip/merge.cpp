@@ -1,9 +1,9 @@
-// Nodal vertex and edge processing [DiazGopi2005, 3.1]: around a fan of q cells whose facets are by turns in and
-// out of the factor and whose q/2 strip edges belong to q/2 strips, toggling all q facets makes them one
-// strip: each strip is opened at its edge and the other facets close the ring. One of the strips may be
-// a path. Union-find tells strips apart.
-// Every merge involves a strip that is not the majority of its component, so only cells of such strips are looked at,
-// by strip edge and the fans that contain it.
+// Nodal vertex and edge processing [DiazGopi2005, 3.1]: around a fan of q cells whose facets are by
+// turns in and out of the factor and whose q/2 strip edges belong to q/2 strips, toggling all q
+// facets makes them one strip: each strip is opened at its edge and the other facets close the
+// ring. One of the strips may be a path. Union-find tells strips apart. Every merge involves a
+// strip that is not the majority of its component, so only cells of such strips are looked at, by
+// strip edge and the fans that contain it.
 // Cost: near-linear per pass; passes end when one changes nothing, and there are at most eight.
 #include "strip/merge.h"
 
@@ -16,10 +16,11 @@ namespace ravel {
 namespace {
 
 constexpr int kMaxPasses = 8;
-constexpr std::size_t kMaxFan = 64;  // larger fans cannot alternate among so many strips in practice
+constexpr std::size_t kMaxFan =
+    64;  // larger fans cannot alternate among so many strips in practice
 
-// Facets crossed when turning around one vertex (polygons) or edge (tets), each as seen from the cell
-// it is left by; empty where the fan meets a border.
+// Facets crossed when turning around one vertex (polygons) or edge (tets), each as seen from the
+// cell it is left by; empty where the fan meets a border.
 using Fan = std::vector<Id>;
 
 // The fan around the vertex that `facet` starts at (from its own cell).
@@ -49,12 +50,14 @@ bool edge_fan(const Complex& complex, Id facet, Id away, Fan& fan) {
         const Id g = complex.twin[left];
         if (g == kNone || fan.size() == kMaxFan) return false;
         fan.push_back(left);
-        // In the cell entered by g the fan goes on through the facet opposite the third corner of g.
+        // In the cell entered by g the fan goes on through the facet opposite the third corner of
+        // g.
         Id exit = kNone;
         for (Id c = g & ~Id{3}; c < (g & ~Id{3}) + 4; ++c)
             if (c != g && complex.vertex[c] != edge[0] && complex.vertex[c] != edge[1]) exit = c;
         if (exit == kNone) return false;
-        if (complex.cell_of[exit] == complex.cell_of[facet] && exit == facet && g == entered_opposite)
+        if (complex.cell_of[exit] == complex.cell_of[facet] && exit == facet &&
+            g == entered_opposite)
             return true;
         if (exit == facet) return false;
         left = exit;

@@ -12,9 +12,9 @@ struct Merged {
     std::uint64_t fan_merges = 0;
 };
 
-// Toggles fans (cells around an inner vertex or, for tets, edge) that alternate in and out of the set and meet
-// each of their strips once, then lets paths take in neighbouring cycles at their ends. No strip is
-// split, no path is made. Near-linear.
+// Toggles fans (cells around an inner vertex or, for tets, edge) that alternate in and out of the
+// set and meet each of their strips once, then lets paths take in neighbouring cycles at their
+// ends. No strip is split, no path is made. Near-linear.
 Merged merge_fans(const Complex& complex, const Dual& dual, EdgeSet set);
 
 }  // namespace ravel

@@ -11,7 +11,8 @@
 
 namespace ravel {
 
-// Cells are only added; a cell that was split is dead and its outer facets have moved to its pieces.
+// Cells are only added; a cell that was split is dead and its outer facets have moved to its
+// pieces.
 struct SplitMesh {
     CellKind kind = CellKind::polygon;
     std::vector<Id> first;        // cells + 1
@@ -24,7 +25,8 @@ struct SplitMesh {
     std::vector<Id> now;          // facet of the complex -> the live facet on it
     std::vector<Id> piece;        // cell of the complex -> a live piece of it
 
-    // New vertex i is the blend of vertex blend[j] with weight[j], j in [blend_first[i], blend_first[i + 1]).
+    // New vertex i is the blend of vertex blend[j] with weight[j], j in [blend_first[i],
+    // blend_first[i + 1]).
     std::vector<Id> blend_first{0};
     std::vector<Id> blend;
     std::vector<double> weight;

@@ -1,9 +1,10 @@
-// The split of two polygons at a shared side, the paper's six-vertex split [DiazGopi2005, 3.2] for n-gons. Side 0 is the
-// shared one, from v0 to v1; it gets vertices w1 near v1 and wn near v0; v2 .. v(n-1) get inner vertices w2 .. w(n-1).
-// Outer quad Oi = vi v(i+1) w(i+1) wi lies on side i = 1 .. n-1, and the inner polygon I = wn w1 w2 .. w(n-1) touches
-// all of them. The strip enters at Op, leaves at Oq, visits all pieces and passes between O1 and I; there it is
-// toggled with the neighbour's, seen in a mirror, so that both have the same v1 and w1. Where one inner polygon is not enough (p and
-// q apart, q not last) it is cut in two from wn.
+// The split of two polygons at a shared side, the paper's six-vertex split [DiazGopi2005, 3.2] for
+// n-gons. Side 0 is the shared one, from v0 to v1; it gets vertices w1 near v1 and wn near v0; v2
+// .. v(n-1) get inner vertices w2 .. w(n-1). Outer quad Oi = vi v(i+1) w(i+1) wi lies on side i = 1
+// .. n-1, and the inner polygon I = wn w1 w2 .. w(n-1) touches all of them. The strip enters at Op,
+// leaves at Oq, visits all pieces and passes between O1 and I; there it is toggled with the
+// neighbour's, seen in a mirror, so that both have the same v1 and w1. Where one inner polygon is
+// not enough (p and q apart, q not last) it is cut in two from wn.
 // Cost: linear in the corners.
 #include <algorithm>
 #include <array>
@@ -51,7 +52,12 @@ Ends strip_ends(const View& view) {
 class Pieces {
   public:
     Pieces(SplitMesh& mesh, const View& view, Id near, Id far)
-        : mesh_(mesh), view_(view), n_(view.sides()), ends_(strip_ends(view)), near_(near), far_(far) {}
+        : mesh_(mesh),
+          view_(view),
+          n_(view.sides()),
+          ends_(strip_ends(view)),
+          near_(near),
+          far_(far) {}
 
     void split() {
         place_inner_vertices();
@@ -86,8 +92,8 @@ class Pieces {
         }
     }
 
-    // Where two inner polygons are needed they meet in the line from wn to w(cut_), or, where p and q
-    // have one side between them, to an extra vertex in the middle of that side's inner edge.
+    // Where two inner polygons are needed they meet in the line from wn to w(cut_), or, where p and
+    // q have one side between them, to an extra vertex in the middle of that side's inner edge.
     void cut_inner() {
         cut_ = n_;
         if (!ends_.needs_two_inner(n_)) return;
@@ -172,7 +178,8 @@ class Pieces {
             }
         }
         for (std::size_t i = 0; i + 1 < route_.size(); ++i) {
-            const bool toggled = ends_.count > 0 && route_[i] == outer_[1] && route_[i + 1] == inner_[0];
+            const bool toggled =
+                ends_.count > 0 && route_[i] == outer_[1] && route_[i + 1] == inner_[0];
             if (!toggled) connect(route_[i], route_[i + 1]);
         }
     }

@@ -1,7 +1,8 @@
-// The split of two tets at a shared face [DiazGopi2005, 3.3]: a new vertex m at the face's centroid; each tet becomes
-// three, P_x for each other facet x, with corner x replaced by m. P_x and P_y share the facet that
-// holds m, the apex and the third corner z; the strip uses two of these three facets, so of the three vertices of the
-// shared face one serves both tets: there the strips are toggled.
+// The split of two tets at a shared face [DiazGopi2005, 3.3]: a new vertex m at the face's
+// centroid; each tet becomes three, P_x for each other facet x, with corner x replaced by m. P_x
+// and P_y share the facet that holds m, the apex and the third corner z; the strip uses two of
+// these three facets, so of the three vertices of the shared face one serves both tets: there the
+// strips are toggled.
 // Cost: constant.
 #include <array>
 
@@ -49,7 +50,8 @@ void split(SplitMesh& mesh, Side& side, Id centre) {
     }
     for (std::size_t x = 0; x < 3; ++x)
         for (std::size_t y = x + 1; y < 3; ++y)
-            glue(mesh, side.piece[x] + (side.corner[y] - base), side.piece[y] + (side.corner[x] - base));
+            glue(mesh, side.piece[x] + (side.corner[y] - base),
+                 side.piece[y] + (side.corner[x] - base));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
-// Walks the mesh by the walker's own rule (mesh/exit_rule.h): into the first unvisited neighbour in exit
-// order. At a dead end the walk resumes at the last visited cell that still has an unvisited neighbour, with a
-// new path. A neighbour with fewer ways on than `look_ahead` goes first, as in Warnsdorff's rule [Pohl1967]: with no way
-// on it would become a pocket of one cell, with one a dead end.
+// Walks the mesh by the walker's own rule (mesh/exit_rule.h): into the first unvisited neighbour in
+// exit order. At a dead end the walk resumes at the last visited cell that still has an unvisited
+// neighbour, with a new path. A neighbour with fewer ways on than `look_ahead` goes first, as in
+// Warnsdorff's rule [Pohl1967]: with no way on it would become a pocket of one cell, with one a
+// dead end.
 // Cost: linear in facets.
 #include "strip/steered.h"
 
@@ -71,7 +72,8 @@ class Walk {
             exit_order(complex_, here.entry, order_);
         } else {
             order_.clear();
-            for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f) order_.push_back(f);
+            for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f)
+                order_.push_back(f);
         }
         Id best = kNone, fewest = 0;
         for (const Id f : order_) {
@@ -97,7 +99,9 @@ class Walk {
 
 }  // namespace
 
-Steered steer(const Complex& complex, const SteerOptions& options) { return Walk(complex, options).run(); }
+Steered steer(const Complex& complex, const SteerOptions& options) {
+    return Walk(complex, options).run();
+}
 
 EdgeSet paths_of(const Steered& walk, const Dual& dual) {
     EdgeSet set(dual.graph.edge_count(), 0);

@@ -11,7 +11,8 @@ struct SteerOptions {
     Id look_ahead = 1;  // neighbours with fewer ways on than this go before the rule's choice
 };
 
-// The cells in the order of the walk, and the facet by which the path came to each: kNone where a path starts.
+// The cells in the order of the walk, and the facet by which the path came to each: kNone where a
+// path starts.
 struct Steered {
     std::vector<Id> order;
     std::vector<Id> came_by;

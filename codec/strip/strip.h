@@ -12,10 +12,10 @@ namespace ravel {
 
 enum class FacetRole : std::uint8_t { none, strip, link };
 
-// role is per facet of the complex and equal on twins. Per cell at most two facets are `strip`; they
-// form cycles, paths and singletons. `link` facets join these to one tree per component. Every strip but
-// the one a component starts with is a cycle or a singleton (a loop once split); that one may also
-// be a path, which then starts at the root cell: the strip is open.
+// role is per facet of the complex and equal on twins. Per cell at most two facets are `strip`;
+// they form cycles, paths and singletons. `link` facets join these to one tree per component. Every
+// strip but the one a component starts with is a cycle or a singleton (a loop once split); that one
+// may also be a path, which then starts at the root cell: the strip is open.
 struct Strip {
     std::vector<FacetRole> role;
     std::vector<Id> roots;  // one cell per component, in the order the components are walked

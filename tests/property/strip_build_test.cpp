@@ -46,7 +46,8 @@ TEST_CASE("the same complex gives the same strip") {
 }
 
 TEST_CASE("closed quad surfaces and grids need no link") {
-    for (const Mesh& mesh : {test::quad_torus(12, 9), test::quad_grid(10, 10), test::quad_grid(9, 9), test::quad_grid(1, 1)})
+    for (const Mesh& mesh : {test::quad_torus(12, 9), test::quad_grid(10, 10),
+                             test::quad_grid(9, 9), test::quad_grid(1, 1)})
         CHECK(build_strip(complex_of(mesh)).counts.links == 0);
 }
 
@@ -66,7 +67,8 @@ TEST_CASE("a strip with a broken role, link or root is not one") {
             Strip broken = strip;
             broken.role[f] = role;
             CHECK_FALSE(check_strip(complex, broken).ok());
-            // Of both twins at once only strip -> none, on a closed strip, gives a strip again: an open one.
+            // Of both twins at once only strip -> none, on a closed strip, gives a strip again: an
+            // open one.
             broken.role[complex.twin[f]] = role;
             if (role != FacetRole::none || strip.role[f] == FacetRole::link)
                 CHECK_FALSE(check_strip(complex, broken).ok());
@@ -88,7 +90,8 @@ TEST_CASE("the exit order lists every facet of the cell but the entry once, left
             exit_order(complex, entry, order);
             CHECK(order.size() + 1 == complex.degree(complex.cell_of[entry]));
             CHECK(std::set<Id>(order.begin(), order.end()).size() == order.size());
-            for (const Id f : order) CHECK((f != entry && complex.cell_of[f] == complex.cell_of[entry]));
+            for (const Id f : order)
+                CHECK((f != entry && complex.cell_of[f] == complex.cell_of[entry]));
             if (complex.kind == CellKind::polygon && !order.empty())
                 CHECK(order.front() == complex.prev_in_cell(entry));
         }
@@ -96,8 +99,10 @@ TEST_CASE("the exit order lists every facet of the cell but the entry once, left
 }
 
 TEST_CASE("large meshes full of holes get one strip per component, too") {
-    for (const Mesh& mesh : {test::with_holes(test::quad_grid(120, 120), 3, 1), test::with_holes(test::tet_box(12, 12, 12), 20, 2),
-                             test::with_holes(test::honeycomb(60, 60), 30, 3), test::triangle_fan(5000)}) {
+    for (const Mesh& mesh :
+         {test::with_holes(test::quad_grid(120, 120), 3, 1),
+          test::with_holes(test::tet_box(12, 12, 12), 20, 2),
+          test::with_holes(test::honeycomb(60, 60), 30, 3), test::triangle_fan(5000)}) {
         const Complex complex = complex_of(mesh);
         for (const StripEffort effort : {StripEffort{0}, StripEffort{3}, StripEffort{}})
             CHECK(check_strip(complex, build_strip(complex, FactorMethod::steered, effort)).ok());

@@ -31,8 +31,10 @@ double measure(const Mesh& mesh, Index cell) {
     std::array<std::array<double, 3>, 3> e{};
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k) e[i][k] = p[3 * q[i + 1] + k] - p[3 * q[0] + k];
-    return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-            e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) / 6;
+    return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+            e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+            e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
+           6;
 }
 
 bool is_convex(const Mesh& mesh, Index cell) {
@@ -47,14 +49,16 @@ bool is_convex(const Mesh& mesh, Index cell) {
     return true;
 }
 
-// A worst case for links: no strip but singletons, so that every cell is linked, most of them often.
+// A worst case for links: no strip but singletons, so that every cell is linked, most of them
+// often.
 Strip singletons_only(const Complex& complex) {
     const Dual dual = make_dual(complex);
     return link_strips(complex, dual, EdgeSet(dual.graph.edge_count(), 0));
 }
 
 std::vector<Strip> strips_of(const Complex& complex) {
-    return {build_strip(complex), build_strip(complex, FactorMethod::euler), singletons_only(complex)};
+    return {build_strip(complex), build_strip(complex, FactorMethod::euler),
+            singletons_only(complex)};
 }
 
 }  // namespace
@@ -93,7 +97,8 @@ TEST_CASE("a materialised clean mesh is clean and has as many components") {
 }
 
 TEST_CASE("splitting keeps areas and volumes, and no piece is turned over") {
-    for (const Mesh& mesh : {test::quad_grid(6, 5), test::honeycomb(5, 5), test::triangle_fan(7), test::tet_box(3, 2, 2)}) {
+    for (const Mesh& mesh : {test::quad_grid(6, 5), test::honeycomb(5, 5), test::triangle_fan(7),
+                             test::tet_box(3, 2, 2)}) {
         const Complex complex = *build_complex(mesh);
         for (const Strip& strip : strips_of(complex)) {
             const Materialised made = *materialise(mesh, complex, strip);
@@ -129,15 +134,19 @@ TEST_CASE("a link adds two cells to each tet and n - 1 to each n-gon") {
 TEST_CASE("cell attributes follow their cells into the pieces and point attributes are blended") {
     Mesh mesh = test::quad_grid(4, 4);
     Attribute region{"region", Place::cell, make_array(Scalar::i32, 1, mesh.cell_count()), {}, {}};
-    for (Index c = 0; c < mesh.cell_count(); ++c) region.values.as<std::int32_t>()[c] = static_cast<std::int32_t>(100 + c);
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+        region.values.as<std::int32_t>()[c] = static_cast<std::int32_t>(100 + c);
     Attribute height{"x", Place::point, make_array(Scalar::f64, 1, mesh.point_count()), {}, {}};
-    for (Index p = 0; p < mesh.point_count(); ++p) height.values.as<double>()[p] = mesh.positions.as<double>()[3 * p];
+    for (Index p = 0; p < mesh.point_count(); ++p)
+        height.values.as<double>()[p] = mesh.positions.as<double>()[3 * p];
     mesh.attributes = {region, height};
     const Complex complex = *build_complex(mesh);
     const Materialised made = *materialise(mesh, complex, singletons_only(complex));
     REQUIRE(check_mesh(made.mesh).ok());
     for (Index c = 0; c < made.mesh.cell_count(); ++c)
-        CHECK(made.mesh.attributes[0].values.as<std::int32_t>()[c] == static_cast<std::int32_t>(100 + made.parent[c]));
+        CHECK(made.mesh.attributes[0].values.as<std::int32_t>()[c] ==
+              static_cast<std::int32_t>(100 + made.parent[c]));
     for (Index p = 0; p < made.mesh.point_count(); ++p)
-        CHECK(made.mesh.attributes[1].values.as<double>()[p] == Approx(made.mesh.positions.as<double>()[3 * p]));
+        CHECK(made.mesh.attributes[1].values.as<double>()[p] ==
+              Approx(made.mesh.positions.as<double>()[3 * p]));
 }

@@ -22,7 +22,9 @@ inline Graph complete_five() {
 }
 
 // Right: three nodes, every two joined twice.
-inline Graph double_triangle() { return make_graph(3, {{0, 1}, {0, 1}, {1, 2}, {1, 2}, {2, 0}, {2, 0}}); }
+inline Graph double_triangle() {
+    return make_graph(3, {{0, 1}, {0, 1}, {1, 2}, {1, 2}, {2, 0}, {2, 0}});
+}
 
 inline Graph path_graph(GraphId nodes) {
     Ends ends;
@@ -51,20 +53,22 @@ struct NamedGraph {
 };
 
 inline std::vector<NamedGraph> small_graphs() {
-    std::vector<NamedGraph> all{{"no node", make_graph(0, {})},
-                                {"one node", make_graph(1, {})},
-                                {"two nodes apart", make_graph(2, {})},
-                                {"one edge", make_graph(2, {{0, 1}})},
-                                {"two parallel edges", make_graph(2, {{0, 1}, {1, 0}})},
-                                {"four parallel edges", make_graph(2, {{0, 1}, {1, 0}, {0, 1}, {0, 1}})},
-                                {"star", make_graph(6, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}})},
-                                {"path", path_graph(7)},
-                                {"complete five", complete_five()},
-                                {"double triangle", double_triangle()}};
+    std::vector<NamedGraph> all{
+        {"no node", make_graph(0, {})},
+        {"one node", make_graph(1, {})},
+        {"two nodes apart", make_graph(2, {})},
+        {"one edge", make_graph(2, {{0, 1}})},
+        {"two parallel edges", make_graph(2, {{0, 1}, {1, 0}})},
+        {"four parallel edges", make_graph(2, {{0, 1}, {1, 0}, {0, 1}, {0, 1}})},
+        {"star", make_graph(6, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}})},
+        {"path", path_graph(7)},
+        {"complete five", complete_five()},
+        {"double triangle", double_triangle()}};
     for (std::uint32_t seed = 0; seed < 20; ++seed)
         for (const GraphId degree : {2u, 3u, 4u, 6u})
-            all.push_back({"random, degree " + std::to_string(degree) + ", seed " + std::to_string(seed),
-                           random_graph(5 + 7 * seed, degree, seed)});
+            all.push_back(
+                {"random, degree " + std::to_string(degree) + ", seed " + std::to_string(seed),
+                 random_graph(5 + 7 * seed, degree, seed)});
     return all;
 }
 

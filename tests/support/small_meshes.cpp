@@ -26,12 +26,14 @@ struct Random {
 };
 
 Mesh cube() {
-    return polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
-                        {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+    return polygon_mesh(
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+        {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
 Mesh tetrahedron_surface() {
-    return polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    return polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                        {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
 // Joins the midpoints of the edges: every face becomes a smaller one, every vertex a face.
@@ -47,7 +49,8 @@ Mesh rectified(const Mesh& mesh) {
         return at->second;
     };
     std::vector<std::vector<Index>> cells;
-    std::map<Index, std::map<Index, Index>> around;  // vertex -> midpoint -> next midpoint round the vertex
+    std::map<Index, std::map<Index, Index>>
+        around;  // vertex -> midpoint -> next midpoint round the vertex
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const auto q = mesh.cell(c);
         std::vector<Index> inner;
@@ -126,7 +129,8 @@ Mesh tet_mesh(const std::vector<Point>& points, const std::vector<std::array<Ind
     Mesh mesh;
     mesh.kind = CellKind::tet;
     set_points(mesh, points);
-    for (const auto& cell : cells) mesh.corners.insert(mesh.corners.end(), cell.begin(), cell.end());
+    for (const auto& cell : cells)
+        mesh.corners.insert(mesh.corners.end(), cell.begin(), cell.end());
     return mesh;
 }
 
@@ -150,9 +154,11 @@ Mesh quad_torus(Index columns, Index rows) {
         for (Index x = 0; x < columns; ++x) {
             const double u = 2 * std::numbers::pi * double(x) / double(columns);
             const double v = 2 * std::numbers::pi * double(y) / double(rows);
-            points.push_back({(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
+            points.push_back(
+                {(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
             const Index x1 = (x + 1) % columns, y1 = (y + 1) % rows;
-            cells.push_back({y * columns + x, y * columns + x1, y1 * columns + x1, y1 * columns + x});
+            cells.push_back(
+                {y * columns + x, y * columns + x1, y1 * columns + x1, y1 * columns + x});
         }
     return polygon_mesh(points, cells);
 }
@@ -166,7 +172,8 @@ Mesh moebius_band(Index length) {
             const double r = 4 + side * std::cos(u / 2);
             points.push_back({r * std::cos(u), r * std::sin(u), side * std::sin(u / 2)});
         }
-    for (Index x = 0; x + 1 < length; ++x) cells.push_back({2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1});
+    for (Index x = 0; x + 1 < length; ++x)
+        cells.push_back({2 * x, 2 * x + 2, 2 * x + 3, 2 * x + 1});
     cells.push_back({2 * length - 2, 1, 0, 2 * length - 1});
     return polygon_mesh(points, cells);
 }
@@ -186,7 +193,8 @@ Mesh honeycomb(Index columns, Index rows) {
     std::vector<Point> points;
     std::map<std::pair<long, long>, Index> at;  // on a grid that every corner falls on
     std::vector<std::vector<Index>> cells;
-    const std::array<std::pair<long, long>, 6> ring{{{1, 0}, {2, 1}, {2, 3}, {1, 4}, {0, 3}, {0, 1}}};
+    const std::array<std::pair<long, long>, 6> ring{
+        {{1, 0}, {2, 1}, {2, 3}, {1, 4}, {0, 3}, {0, 1}}};
     for (Index y = 0; y < rows; ++y)
         for (Index x = 0; x < columns; ++x) {
             std::vector<Index> cell;
@@ -228,7 +236,8 @@ Mesh random_soup(CellKind kind, Index points, Index cells, std::uint32_t seed) {
     Random random{seed * 2654435761u + 1};
     std::vector<Point> where;
     for (Index i = 0; i < points; ++i)
-        where.push_back({double(random.below(100)), double(random.below(100)), double(random.below(100))});
+        where.push_back(
+            {double(random.below(100)), double(random.below(100)), double(random.below(100))});
     const auto any = [&] { return Index{random.below(static_cast<std::uint32_t>(points))}; };
     if (kind == CellKind::tet) {
         std::vector<std::array<Index, 4>> tets;
@@ -260,9 +269,14 @@ Mesh with_holes(const Mesh& mesh, std::uint32_t percent, std::uint32_t seed) {
 
 std::vector<NamedMesh> small_meshes() {
     std::vector<NamedMesh> all;
-    const auto clean = [&](const std::string& name, Mesh mesh) { all.push_back({name, std::move(mesh), true}); };
-    const auto dirty = [&](const std::string& name, Mesh mesh) { all.push_back({name, std::move(mesh), false}); };
-    const std::vector<Point> few{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, {2, 2, 1}};
+    const auto clean = [&](const std::string& name, Mesh mesh) {
+        all.push_back({name, std::move(mesh), true});
+    };
+    const auto dirty = [&](const std::string& name, Mesh mesh) {
+        all.push_back({name, std::move(mesh), false});
+    };
+    const std::vector<Point> few{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                 {1, 1, 1}, {2, 0, 0}, {0, 2, 0}, {2, 2, 1}};
 
     clean("no polygon at all", Mesh{});
     clean("no tet at all", tet_mesh({}, {}));
@@ -287,30 +301,71 @@ std::vector<NamedMesh> small_meshes() {
     clean("honeycomb 1 x 3", honeycomb(1, 3));
     clean("tet box 1 x 1 x 1", tet_box(1, 1, 1));
     clean("tet box 4 x 3 x 2", tet_box(4, 3, 2));
-    clean("star of one tet and four", tet_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, .3, .3}, {.3, -1, .3}, {.3, .3, -1}},
-                                               {{0, 1, 2, 3}, {4, 2, 1, 3}, {5, 0, 2, 3}, {6, 1, 0, 3}, {7, 0, 1, 2}}));
-    clean("hexagon with six triangles", polygon_mesh({{2, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {-2, 0, 0}, {-1, -2, 0}, {1, -2, 0}, {3, 2, 0}, {0, 4, 0}, {-3, 2, 0}, {-3, -2, 0}, {0, -4, 0}, {3, -2, 0}},
-                                                     {{0, 1, 2, 3, 4, 5}, {1, 0, 6}, {2, 1, 7}, {3, 2, 8}, {4, 3, 9}, {5, 4, 10}, {0, 5, 11}}));
-    clean("quads around a triangle", polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {1, -1, 0}, {2, 1, 0}, {1, 2, 0}, {-1, 1, 0}, {-1, 0, 0}},
-                                                  {{0, 1, 2}, {1, 0, 3, 4}, {2, 1, 5, 6}, {0, 2, 7, 8}}));
+    clean("star of one tet and four",
+          tet_mesh({{0, 0, 0},
+                    {1, 0, 0},
+                    {0, 1, 0},
+                    {0, 0, 1},
+                    {1, 1, 1},
+                    {-1, .3, .3},
+                    {.3, -1, .3},
+                    {.3, .3, -1}},
+                   {{0, 1, 2, 3}, {4, 2, 1, 3}, {5, 0, 2, 3}, {6, 1, 0, 3}, {7, 0, 1, 2}}));
+    clean("hexagon with six triangles", polygon_mesh({{2, 0, 0},
+                                                      {1, 2, 0},
+                                                      {-1, 2, 0},
+                                                      {-2, 0, 0},
+                                                      {-1, -2, 0},
+                                                      {1, -2, 0},
+                                                      {3, 2, 0},
+                                                      {0, 4, 0},
+                                                      {-3, 2, 0},
+                                                      {-3, -2, 0},
+                                                      {0, -4, 0},
+                                                      {3, -2, 0}},
+                                                     {{0, 1, 2, 3, 4, 5},
+                                                      {1, 0, 6},
+                                                      {2, 1, 7},
+                                                      {3, 2, 8},
+                                                      {4, 3, 9},
+                                                      {5, 4, 10},
+                                                      {0, 5, 11}}));
+    clean("quads around a triangle",
+          polygon_mesh({{0, 0, 0},
+                        {1, 0, 0},
+                        {0, 1, 0},
+                        {0, -1, 0},
+                        {1, -1, 0},
+                        {2, 1, 0},
+                        {1, 2, 0},
+                        {-1, 1, 0},
+                        {-1, 0, 0}},
+                       {{0, 1, 2}, {1, 0, 3, 4}, {2, 1, 5, 6}, {0, 2, 7, 8}}));
     dirty("pillow of two quads", polygon_mesh(few, {{0, 1, 4, 2}, {2, 4, 1, 0}}));
-    dirty("three quads with four neighbours each", polygon_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                                                {{0, 1, 2, 3}, {0, 3, 2, 4}, {0, 4, 2, 1}}));
+    dirty("three quads with four neighbours each",
+          polygon_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                       {{0, 1, 2, 3}, {0, 3, 2, 4}, {0, 4, 2, 1}}));
     dirty("pillow of two tets", tet_mesh(few, {{0, 1, 2, 3}, {0, 2, 1, 3}}));
     dirty("moebius band", moebius_band(9));
     dirty("pinched vertex", polygon_mesh(few, {{0, 1, 2}, {0, 5, 7}, {0, 7, 6}}));
-    dirty("three triangles on an edge", polygon_mesh(few, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 2, 5}}));
-    dirty("three tets on a face", tet_mesh(few, {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 7}, {1, 2, 3, 7}}));
+    dirty("three triangles on an edge",
+          polygon_mesh(few, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 2, 5}}));
+    dirty("three tets on a face",
+          tet_mesh(few, {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 7}, {1, 2, 3, 7}}));
     dirty("repeated cells", polygon_mesh(few, {{0, 1, 2}, {0, 1, 2}, {2, 1, 0}, {1, 5, 7, 2}}));
-    dirty("two-gons and one-gons", polygon_mesh(few, {{0, 1}, {1, 0}, {0, 1, 2}, {3}, {2, 1}, {1, 2, 4}}));
-    dirty("chain of two-gons", polygon_mesh(few, {{0, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 1, 2}, {1, 0, 3}}));
+    dirty("two-gons and one-gons",
+          polygon_mesh(few, {{0, 1}, {1, 0}, {0, 1, 2}, {3}, {2, 1}, {1, 2, 4}}));
+    dirty("chain of two-gons",
+          polygon_mesh(few, {{0, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 1, 2}, {1, 0, 3}}));
     for (std::uint32_t seed = 0; seed < 6; ++seed) {
         const std::string number = std::to_string(seed);
-        dirty("polygon soup " + number, random_soup(CellKind::polygon, 6 + 2 * seed, 40 + 20 * seed, seed));
+        dirty("polygon soup " + number,
+              random_soup(CellKind::polygon, 6 + 2 * seed, 40 + 20 * seed, seed));
         dirty("tet soup " + number, random_soup(CellKind::tet, 6 + seed, 40 + 20 * seed, seed));
         dirty("holed grid " + number, with_holes(quad_grid(12, 12), 10 + 8 * seed, seed));
         dirty("holed honeycomb " + number, with_holes(honeycomb(10, 10), 10 + 8 * seed, seed));
-        dirty("holed solid " + number, with_holes(truncated(truncated(cube())), 5 + 5 * seed, seed));
+        dirty("holed solid " + number,
+              with_holes(truncated(truncated(cube())), 5 + 5 * seed, seed));
         dirty("holed box " + number, with_holes(tet_box(5, 4, 4), 10 + 8 * seed, seed));
     }
     return all;

@@ -29,8 +29,8 @@ Mesh triangle_fan(Index triangles);
 Mesh honeycomb(Index columns, Index rows);
 Mesh tet_box(Index nx, Index ny, Index nz);  // six Kuhn tets per cube
 
-// Polygons or tets over random points: duplicates, non-manifold facets, repeated corners, n-gons of one to seven
-// corners. The same on every machine.
+// Polygons or tets over random points: duplicates, non-manifold facets, repeated corners, n-gons of
+// one to seven corners. The same on every machine.
 Mesh random_soup(CellKind kind, Index points, Index cells, std::uint32_t seed);
 
 // A clean mesh with random cells taken out: borders, pinched vertices, several components.

@@ -14,7 +14,9 @@ using namespace ravel;
 
 namespace {
 
-std::size_t edges_of(const EdgeSet& set) { return static_cast<std::size_t>(std::count(set.begin(), set.end(), 1)); }
+std::size_t edges_of(const EdgeSet& set) {
+    return static_cast<std::size_t>(std::count(set.begin(), set.end(), 1));
+}
 
 // The most edges a 2-matching can have, by trying all sets.
 std::size_t best_by_force(const Graph& graph) {
@@ -31,7 +33,8 @@ std::size_t best_by_force(const Graph& graph) {
 
 GraphId paths_in(const Graph& graph, const EdgeSet& set) {
     const StripList strips = list_strips(graph, set);
-    return static_cast<GraphId>(std::count(strips.shape.begin(), strips.shape.end(), StripShape::path));
+    return static_cast<GraphId>(
+        std::count(strips.shape.begin(), strips.shape.end(), StripShape::path));
 }
 
 }  // namespace
@@ -74,7 +77,8 @@ TEST_CASE("closing and cutting leave at most one path per connected part") {
             const Components& parts = graph.parts;
             std::vector<int> paths(parts.count, 0);
             for (GraphId s = 0; s < strips.count(); ++s)
-                if (strips.shape[s] == StripShape::path) ++paths[parts.of[strips.node[strips.first[s]]]];
+                if (strips.shape[s] == StripShape::path)
+                    ++paths[parts.of[strips.node[strips.first[s]]]];
             for (const int p : paths) CHECK(p <= 1);
         }
     }
@@ -87,8 +91,10 @@ TEST_CASE("a path that is its part's last stays open") {
 }
 
 TEST_CASE("cutting a path with chords makes the fewest pieces") {
-    // Two paths of a ladder, kept apart by nothing but their own chords: 0-1-2-3 with chord 0-3 is one cycle.
-    const Graph graph = make_graph(9, {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}});
+    // Two paths of a ladder, kept apart by nothing but their own chords: 0-1-2-3 with chord 0-3 is
+    // one cycle.
+    const Graph graph =
+        make_graph(9, {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}});
     EdgeSet set(graph.edge_count(), 1);
     set[3] = 0;
     set[4] = 0;

@@ -27,7 +27,8 @@ TEST_CASE("strips visit every node once along edges of the set") {
                 }
                 ++edges;
                 CHECK(set[strips.edge[i]] == 1);
-                CHECK(graph.other(strips.edge[i], strips.node[i]) == strips.node[last ? strips.first[s] : i + 1]);
+                CHECK(graph.other(strips.edge[i], strips.node[i]) ==
+                      strips.node[last ? strips.first[s] : i + 1]);
             }
         }
         for (const int n : seen) CHECK(n == 1);

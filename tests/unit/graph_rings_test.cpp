@@ -46,7 +46,8 @@ TEST_CASE("merging rings keeps every degree and counts the strips it saves") {
             limits.edges_in = edges;
             const RingMerge merged = merge_rings(graph, set, limits);
             CHECK(degrees_in(graph, merged.set) == degrees_in(graph, set));
-            const GraphId before = list_strips(graph, set).count(), after = list_strips(graph, merged.set).count();
+            const GraphId before = list_strips(graph, set).count(),
+                          after = list_strips(graph, merged.set).count();
             CHECK(after <= before);
             CHECK(before - after >= merged.merges);
         }
@@ -73,7 +74,8 @@ TEST_CASE("random 4-regular graphs end up with few cycles") {
 }
 
 TEST_CASE("a rope keeps its order through cuts and joins") {
-    // Against a plain list: cut at two ranks, turn the middle round, over and over, with a second rope joined in.
+    // Against a plain list: cut at two ranks, turn the middle round, over and over, with a second
+    // rope joined in.
     std::vector<GraphId> order(500), other{500, 501, 502};
     for (GraphId i = 0; i < order.size(); ++i) order[i] = i;
     Rope rope(order);
@@ -89,7 +91,8 @@ TEST_CASE("a rope keeps its order through cuts and joins") {
         state = state * 1664525u + 1013904223u;
         GraphId b = (state >> 8) % n;
         if (a > b) std::swap(a, b);
-        std::vector<Rope::Stretch> stretches{{&rope, 0, a, false}, {&rope, a, b, true}, {&rope, b, n, false}};
+        std::vector<Rope::Stretch> stretches{
+            {&rope, 0, a, false}, {&rope, a, b, true}, {&rope, b, n, false}};
         std::reverse(order.begin() + a, order.begin() + b);
         if (round == 1000) {
             stretches.insert(stretches.begin() + 1, {&second, 1, 3, true});
