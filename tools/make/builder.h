@@ -54,7 +54,7 @@ struct Builder {
 template <class T, class F>
 Attribute make_attribute(std::string name, Place place, Scalar scalar, std::uint32_t arity,
                          std::size_t count, F value) {
-    Attribute attribute{std::move(name), place, make_array(scalar, arity, count), {}};
+    Attribute attribute{std::move(name), place, make_array(scalar, arity, count), {}, {}};
     std::span<T> values = attribute.values.as<T>();
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<T>(value(i));
     return attribute;

@@ -73,6 +73,12 @@ void add_attributes(Mesh& mesh) {
     mesh.attributes.push_back(make_attribute<std::int32_t>(
         "region", Place::cell, Scalar::i32, 1, mesh.cell_count(),
         [&](std::size_t i) { return i * 4 / (mesh.cell_count() + 1); }));
+    const auto cells = static_cast<std::int64_t>(mesh.cell_count());
+    Attribute neighbour = make_attribute<std::int64_t>(
+        "neighbour", Place::cell, Scalar::i64, 1, mesh.cell_count(),
+        [&](std::size_t i) { return i % 11 == 0 ? -1 : (static_cast<std::int64_t>(i) + 5) % cells; });
+    neighbour.references.push_back({0, Place::cell, 0});
+    mesh.attributes.push_back(std::move(neighbour));
     mesh.tag_names.push_back({"region", -1, 0, "first"});
     mesh.tag_names.push_back({"region", -1, 1, "second"});
     if (mesh.kind != CellKind::polygon) return;

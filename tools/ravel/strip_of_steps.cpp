@@ -13,7 +13,7 @@ Id facet_of(const Complex& complex, Id cell, std::uint32_t facet) {
     return first + (degree - 1 - facet);
 }
 
-Error misfit(Id cell) {
+Error misfit(Index cell) {
     return {Code::corrupt, cell, "the strip's step to cell " + std::to_string(cell) + " leads elsewhere"};
 }
 
@@ -37,33 +37,36 @@ Result<Strip> strip_of_steps(const Complex& complex, const std::vector<StripStep
     Strip strip;
     strip.role.assign(complex.twin.size(), FacetRole::none);
     std::vector<Id> last(cells, kNone);   // first cell of a strip -> its last
-    std::vector<Id> start(cells, kNone);  // cell -> first cell of its strip
-    for (Id c = 0; c < cells; ++c) {
-        const StripStep& step = steps[c];
+    std::vector<Id> start(cells, kNone);  // visited cell -> first cell of its strip
+    for (const StripStep& step : steps) {
+        if (step.cell >= cells) return misfit(step.cell);
+        const Id cell = static_cast<Id>(step.cell);
+        if (start[cell] != kNone) return misfit(cell);
         if (step.from == kNoIndex) {
-            strip.roots.push_back(c);
-            start[c] = last[c] = c;
+            strip.roots.push_back(cell);
+            start[cell] = last[cell] = cell;
             continue;
         }
-        if (step.from >= c || step.entry >= complex.degree(c)) return misfit(c);
+        if (step.from >= cells || step.entry >= complex.degree(cell)) return misfit(cell);
         const Id from = static_cast<Id>(step.from);
-        if (step.exit >= complex.degree(from)) return misfit(c);
-        const Id out = facet_of(complex, from, step.exit), in = facet_of(complex, c, step.entry);
-        if (complex.twin[out] != in || strip.role[out] != FacetRole::none) return misfit(c);
+        if (start[from] == kNone || step.exit >= complex.degree(from)) return misfit(cell);
+        const Id out = facet_of(complex, from, step.exit), in = facet_of(complex, cell, step.entry);
+        if (complex.twin[out] != in || strip.role[out] != FacetRole::none) return misfit(cell);
         strip.role[out] = strip.role[in] = step.link ? FacetRole::link : FacetRole::strip;
         if (step.link) {
-            start[c] = last[c] = c;
+            start[cell] = last[cell] = cell;
             ++strip.counts.links;
         } else {
-            start[c] = start[from];
-            last[start[c]] = c;
+            start[cell] = start[from];
+            last[start[cell]] = cell;
         }
     }
-    for (Id c = 0; c < cells; ++c) {
-        if (start[c] != c) continue;
-        const bool alone = last[c] == c;
-        const bool closed = close_loop(complex, strip, last[c], c);
-        if (!alone && !closed && steps[c].from != kNoIndex) return misfit(c);
+    for (const StripStep& step : steps) {
+        const Id cell = static_cast<Id>(step.cell);
+        if (start[cell] != cell) continue;
+        const bool alone = last[cell] == cell;
+        const bool closed = close_loop(complex, strip, last[cell], cell);
+        if (!alone && !closed && step.from != kNoIndex) return misfit(cell);
         strip.counts.open_strips += !alone && !closed;
     }
     strip.counts.components = strip.counts.strips = strip.roots.size();

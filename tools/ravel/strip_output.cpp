@@ -4,7 +4,7 @@ namespace ravel::tool {
 namespace {
 
 Attribute cell_numbers(const char* name, std::size_t count) {
-    return {name, Place::cell, make_array(Scalar::i64, 1, count), {}};
+    return {name, Place::cell, make_array(Scalar::i64, 1, count), {}, {}};
 }
 
 }  // namespace

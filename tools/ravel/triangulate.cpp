@@ -7,7 +7,7 @@ namespace {
 
 // The attribute of new elements, each of which takes the value of the old element it names.
 Attribute regather(const Attribute& old, const std::vector<Index>& source) {
-    Attribute gathered{old.name, old.place, {}, {}};
+    Attribute gathered{old.name, old.place, {}, {}, old.references};
     if (!old.index.empty()) {
         gathered.values = old.values;
         gathered.index.reserve(source.size());
@@ -58,6 +58,9 @@ Mesh triangulate(const Mesh& mesh) {
             result.attributes.push_back(regather(attribute, old_corner));
         else
             result.attributes.push_back(attribute);
+        // Numbers of cells stay those of the polygons, which are no cells any more.
+        std::erase_if(result.attributes.back().references,
+                      [](const Reference& reference) { return reference.place == Place::cell; });
     }
     return result;
 }
