@@ -18,7 +18,7 @@ inline constexpr ContextBlock kOldSteps{kOldSide.end(), kNumberSteps};
 inline constexpr ContextBlock kOldFar{kOldSteps.end(), kNumberSteps};
 inline constexpr ContextBlock kBorder{kOldFar.end(), 2, 2, 3, 3};   // front border at start, end; kind of vertices
 inline constexpr ContextBlock kLink{kBorder.end(), 2, 3};           // returned, exits
-inline constexpr ContextBlock kExit{kLink.end(), 3, 3, 5, 5};       // which, exits left, corners at its ends
+inline constexpr ContextBlock kExit{kLink.end(), 27, 3, 4, 4};      // which and last turns, exits left, corners at its ends
 inline constexpr ContextBlock kFlip{kExit.end(), 3};                // gate cell's
 inline constexpr ContextBlock kCopy{kFlip.end(), 2};                // last vertex's
 inline constexpr ContextBlock kCopyOf{kCopy.end(), kNumberSteps};

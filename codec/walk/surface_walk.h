@@ -87,11 +87,22 @@ class SurfaceWalk {
             const Id f = exits_[i];
             if (link && i + 1 == count) return f;
             const bool truth = link ? driver_.links_through(f) : driver_.leaves_through(f);
-            if (driver_.flag(surface::kExit.at(i, count - i - 1, seen(start_of(f)) - 1, seen(end_of(f)) - 1),
-                             truth))
+            if (driver_.flag(surface::kExit.at(std::min(i, 2u) + 3 * turns_, count - i - 1,
+                                               seen(start_of(f)) - 1, seen(end_of(f)) - 1),
+                             truth)) {
+                if (count > 1) remember_turn(i, count);
                 return f;
+            }
         }
         return kNone;
+    }
+
+    // The last two turns that were a choice: leftmost, rightmost or between. A repaired strip runs along
+    // many of its paths backwards and hugs with the other hand there. Small meshes look at one turn only.
+    void remember_turn(std::uint32_t i, std::uint32_t count) {
+        constexpr Id kSmall = 2000;
+        const std::uint32_t turn = i == 0 ? 0 : i + 1 == count ? 1 : 2;
+        turns_ = limits_.cells < kSmall ? turn : 3 * (turns_ % 3) + turn;
     }
 
     Id code_degree(Id gate) {
@@ -375,6 +386,7 @@ class SurfaceWalk {
     std::vector<Id> pending_;                // cells to come back to after an excursion
     std::vector<Id> exits_, gaps_, arrive_;
     std::vector<std::uint8_t> fresh_, zipped_;
+    std::uint32_t turns_ = 0;
     bool near_border_start_ = false, near_border_end_ = false;
 };
 
