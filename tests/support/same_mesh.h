@@ -12,6 +12,10 @@ inline bool same_array(const Array& a, const Array& b) {
     return a.scalar == b.scalar && a.arity == b.arity && a.bytes == b.bytes;
 }
 
+inline bool same_reference(const Reference& a, const Reference& b) {
+    return a.component == b.component && a.place == b.place && a.base == b.base;
+}
+
 // Empty when they are the same, else what differs first.
 inline std::string difference(const Mesh& a, const Mesh& b) {
     if (a.kind != b.kind) return "kind";
@@ -30,7 +34,9 @@ inline std::string difference(const Mesh& a, const Mesh& b) {
     for (std::size_t i = 0; i < a.attributes.size(); ++i) {
         const Attribute &x = a.attributes[i], &y = b.attributes[i];
         if (x.name != y.name || x.place != y.place || !same_array(x.values, y.values) ||
-            x.index != y.index)
+            x.index != y.index ||
+            !std::equal(x.references.begin(), x.references.end(), y.references.begin(),
+                        y.references.end(), same_reference))
             return "attribute " + x.name + " / " + y.name;
     }
     const auto same_tag = [](const TagName& x, const TagName& y) {

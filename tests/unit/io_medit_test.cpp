@@ -85,6 +85,58 @@ TEST_CASE("MEDIT sections about the mesh are kept as their numbers", "[io][medit
     CHECK(trouble(text) == "");
 }
 
+TEST_CASE("MEDIT sections that name vertices refer to them", "[io][medit]") {
+    const std::string text = file(
+        "RequiredVertices 2\n1\n3\nNormals 1\n0 0 1\nNormalAtVertices 1\n2 1\n"
+        "VertexOnGeometricEdge 2\n1 7 0.5\n2 8 1\nQuadrilateralsQ2 1\n1 2 3 4 1 2 3 4 1 5\n"
+        "RequiredTriangles 1\n2\nTriangles 2\n1 2 3 0\n1 2 4 0\nTetrahedra 1\n1 2 3 4 1\n"
+        "Corners 0\nRequiredTetrahedra 1\n1\nEnd\n");
+    const Result<Mesh> mesh = read_bytes("a.mesh", text);
+    REQUIRE(mesh);
+    const auto references = [&](const char* name) {
+        const Attribute* found = io::find_attribute(*mesh, Place::mesh, name);
+        REQUIRE(found);
+        return found->references;
+    };
+    for (const char* name :
+         {"medit:RequiredVertices", "medit:NormalAtVertices", "medit:VertexOnGeometricEdge"}) {
+        REQUIRE(references(name).size() == 1);
+        CHECK(same_reference(references(name)[0], {0, Place::point, 1}));
+    }
+    CHECK(references("medit:QuadrilateralsQ2").size() == 9);
+    CHECK(references("medit:RequiredTriangles").empty());  // companions, which stay
+    CHECK(references("medit:Normals").empty());
+    CHECK(same_reference(references("medit:RequiredTetrahedra").at(0), {0, Place::cell, 1}));
+    CHECK(io::find_attribute(*mesh, Place::mesh, "medit:VertexOnGeometricEdge")->values.scalar ==
+          Scalar::i32);
+    CHECK(check_mesh(*mesh).ok());
+    CHECK(trouble(text) == "");
+}
+
+TEST_CASE("MEDIT numbers of triangles among quadrilaterals refer to cells", "[io][medit]") {
+    const std::string cells =
+        "Quadrilaterals 1\n1 2 3 4 0\nTriangles 2\n1 2 3 0\n1 2 4 0\n";
+    const std::string text =
+        file(cells + "RequiredTriangles 1\n2\nRequiredQuadrilaterals 1\n1\nNormals 1\n0 0 1\n"
+                     "NormalAtTriangleVertices 2\n2 3 1\n1 1 1\n");
+    const Result<Mesh> mesh = read_bytes("a.mesh", text);
+    REQUIRE(mesh);
+    const Attribute* triangles =
+        io::find_attribute(*mesh, Place::mesh, "medit:RequiredTriangles");
+    REQUIRE(triangles);
+    CHECK(same_reference(triangles->references.at(0), {0, Place::cell, 0}));
+    const Attribute* normals =
+        io::find_attribute(*mesh, Place::corner, "medit:NormalAtTriangleVertices");
+    REQUIRE(normals);
+    CHECK(normals->index[9] == 0);
+    CHECK(normals->index[4] == 1);
+    CHECK(trouble(text) == "");
+    CHECK(error(file(cells + "RequiredTriangles 1\n3\n")) ==
+          "a.mesh:14: section RequiredTriangles names number 3 of 2 Triangles");
+    CHECK(error(file(cells + "NormalAtTriangleVertices 1\n1 4 1\n")).find("names corner 4") !=
+          std::string::npos);
+}
+
 TEST_CASE("MEDIT refuses cells it cannot hold and reports an order it cannot keep", "[io][medit]") {
     const TempFolder folder;
     Mesh mesh;

@@ -157,6 +157,32 @@ TEST_CASE("MSH sections that are not known are kept as they are", "[io][msh]") {
     CHECK(trouble_reading_again("a.msh", periodic) == "");
 }
 
+TEST_CASE("MSH sections that name nodes or elements keep their numbers", "[io][msh]") {
+    const std::string tet = "$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n";
+    const Result<Mesh> periodic =
+        read_bytes("a.msh", v4(tet + "$Periodic\n1\n0 2 1\n0\n1\n1 2\n$EndPeriodic\n"));
+    REQUIRE(periodic);
+    CHECK(io::find_attribute(*periodic, Place::point, "gmsh:node"));
+    CHECK(!io::find_attribute(*periodic, Place::cell, "gmsh:element"));
+    const std::string data =
+        "$ElementNodeData\n1\n\"u\"\n1\n0\n3\n0\n1\n1\n1 4 10 20 30 40\n$EndElementNodeData\n";
+    Result<Mesh> mesh = read_bytes("a.msh", v4(tet + data));
+    REQUIRE(mesh);
+    CHECK(!io::find_attribute(*mesh, Place::point, "gmsh:node"));
+    CHECK(io::find_attribute(*mesh, Place::cell, "gmsh:element"));
+    CHECK(trouble_reading_again("a.msh", v4(tet + data)) == "");
+    // A turned cell is turned back.
+    Attribute& corner = mesh->attributes.back();
+    REQUIRE(corner.name == "gmsh:corner");
+    for (std::size_t k = 0; k < 4; ++k) {
+        mesh->corners[k] = 3 - k;
+        corner.values.as<std::uint8_t>()[k] = static_cast<std::uint8_t>(3 - k);
+    }
+    const TempFolder folder;
+    REQUIRE(io::write_mesh(*mesh, folder / "b.msh", {}));
+    CHECK(io::read_mesh(folder / "b.msh")->corners == std::vector<Index>{0, 1, 2, 3});
+}
+
 TEST_CASE("MSH elements of one entity with two physical tags go to version 2.2", "[io][msh]") {
     Mesh mesh;
     mesh.kind = CellKind::tet;

@@ -53,9 +53,10 @@ const Attribute* find_attribute(const Mesh& mesh, Place place, std::string_view 
     return nullptr;
 }
 
-void add_attribute(Mesh& mesh, std::string name, Place place, Array values,
-                   std::vector<Index> index) {
-    mesh.attributes.push_back({std::move(name), place, std::move(values), std::move(index)});
+Attribute& add_attribute(Mesh& mesh, std::string name, Place place, Array values,
+                         std::vector<Index> index) {
+    mesh.attributes.push_back({std::move(name), place, std::move(values), std::move(index), {}});
+    return mesh.attributes.back();
 }
 
 const Note* find_note(const Mesh& mesh, std::string_view key) {

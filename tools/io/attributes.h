@@ -79,8 +79,8 @@ double real_at(const Array& array, std::size_t flat);
 bool all_integers(const Array& array);
 
 const Attribute* find_attribute(const Mesh& mesh, Place place, std::string_view name);
-void add_attribute(Mesh& mesh, std::string name, Place place, Array values,
-                   std::vector<Index> index = {});
+Attribute& add_attribute(Mesh& mesh, std::string name, Place place, Array values,
+                         std::vector<Index> index = {});
 // The tuple of element `element`, kNoIndex where it has none.
 inline Index tuple_of(const Attribute& attribute, Index element) {
     return attribute.index.empty() ? element : attribute.index[element];

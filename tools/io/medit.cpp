@@ -15,7 +15,9 @@ namespace ravel::io {
 const MeditSection* medit_section(std::string_view keyword) {
     for (const MeditSection& section : kMeditSections)
         if (same_word(section.keyword, keyword)) return &section;
-    if (same_word(keyword, "Hexaedra")) return medit_section("Hexahedra");  // an old spelling
+    // Old spellings.
+    if (same_word(keyword, "Hexaedra")) return medit_section("Hexahedra");
+    if (same_word(keyword, "Pentahedra")) return medit_section("Prisms");
     return nullptr;
 }
 
@@ -29,11 +31,22 @@ struct Cells {
     const MeditSection* section = nullptr;
     std::vector<Index> nodes;
     std::vector<std::int64_t> references;
+    Index first = kNoIndex;  // of these among the mesh's cells
 };
 
 struct Kept {
     std::string keyword;
-    TextNumbers numbers;
+    std::uint32_t arity = 1;
+    std::vector<std::string_view> numbers;
+    std::size_t at = 0;  // where in the file
+
+    std::size_t rows() const { return numbers.size() / arity; }
+    Array columns(std::uint32_t first, std::uint32_t last) const {
+        TextNumbers column;
+        for (std::size_t r = 0; r < rows(); ++r)
+            for (std::uint32_t k = first; k < last; ++k) column.add(numbers[r * arity + k]);
+        return column.take(last - first);
+    }
 };
 
 class MeditReader {
@@ -48,8 +61,13 @@ class MeditReader {
     Status cells(const MeditSection& section);
     Status keep(const std::string& word);
     void build();
-    void take_cells(const Cells& cells);
+    void take_cells(Cells& cells);
     void take_quadratic(const Cells& cells);
+    Status take_kept(const Kept& kept);
+    Status take_corners(const Kept& kept, const Cells& cells);
+    Status cell_named(const Kept& kept, const Cells& cells, std::int64_t number);
+    const Cells* named_cells(const MeditNames& names) const;
+    void take_references();
 
     TextReader in_;
     Mesh mesh_;
@@ -57,6 +75,7 @@ class MeditReader {
     std::vector<double> positions_;
     std::vector<std::int64_t> point_references_, cell_references_, companion_references_;
     std::vector<Cells> sections_;
+    std::vector<Kept> kept_;
     // The largest point number, to be checked when all vertices are known.
     Index largest_ = 0;
     std::size_t largest_at_ = 0;
@@ -111,7 +130,7 @@ Status MeditReader::vertices() {
 Status MeditReader::cells(const MeditSection& section) {
     auto place = std::find_if(sections_.begin(), sections_.end(),
                               [&](const Cells& c) { return c.section == &section; });
-    if (place == sections_.end()) place = sections_.insert(place, {&section, {}, {}});
+    if (place == sections_.end()) place = sections_.insert(place, {&section, {}, {}, kNoIndex});
     const std::string name(section.keyword);
     Index n = 0;
     if (Status status = count(name, section.nodes + 1, n); !status) return status;
@@ -139,19 +158,24 @@ Status MeditReader::cells(const MeditSection& section) {
 }
 
 Status MeditReader::keep(const std::string& word) {
-    Kept kept{word, {}};
+    Kept kept{word, 1, {}, in_.offset()};
     Index n = 1;
     const bool counted = medit_has_count(word);
     if (counted && !in_.read(n))
         return in_.expected("a known keyword with its count; this is what follows " + word);
-    while (!in_.at_end() && !is_keyword(in_.peek()))
-        if (!kept.numbers.add(in_.word())) return in_.expected("a number of section " + word);
+    while (!in_.at_end() && !is_keyword(in_.peek())) {
+        double ignored = 0;
+        kept.numbers.push_back(in_.word());
+        if (!parse_real(kept.numbers.back(), ignored))
+            return in_.expected("a number of section " + word);
+    }
     const std::size_t numbers = kept.numbers.size();
-    if (n == 0 ? numbers != 0 : numbers % n != 0 || numbers == 0)
+    constexpr std::size_t kMostEach = 65535;
+    if (n == 0 ? numbers != 0 : numbers % n != 0 || numbers == 0 || numbers / n > kMostEach)
         return in_.error("section " + word + " promises " + std::to_string(n) + " rows, and has " +
                          std::to_string(numbers) + " numbers");
-    const auto arity = static_cast<std::uint32_t>(n == 0 ? 1 : numbers / n);
-    add_attribute(mesh_, "medit:" + word, Place::mesh, kept.numbers.take(arity));
+    if (n != 0) kept.arity = static_cast<std::uint32_t>(numbers / n);
+    kept_.push_back(std::move(kept));
     return Done{};
 }
 
@@ -189,7 +213,8 @@ void MeditReader::take_quadratic(const Cells& cells) {
     mesh_.companions.push_back(std::move(block));
 }
 
-void MeditReader::take_cells(const Cells& cells) {
+void MeditReader::take_cells(Cells& cells) {
+    cells.first = mesh_.cell_count();
     mesh_.corners.insert(mesh_.corners.end(), cells.nodes.begin(), cells.nodes.end());
     cell_references_.insert(cell_references_.end(), cells.references.begin(),
                             cells.references.end());
@@ -211,7 +236,7 @@ void MeditReader::build() {
     mesh_.kind = tets || (tet_section && !polygons) ? CellKind::tet : CellKind::polygon;
     if (mesh_.kind == CellKind::polygon) mesh_.corner_begin = {0};
     const MeditUse main = mesh_.kind == CellKind::tet ? MeditUse::tet : MeditUse::polygon;
-    for (const Cells& cells : sections_)
+    for (Cells& cells : sections_)
         if (cells.section->use == main && cells.section->vtk_type != kQuadraticTet)
             take_cells(cells);
     // Edge nodes before other companions, so that writing does not change the order.
@@ -231,9 +256,80 @@ void MeditReader::build() {
                                      cells.references.end());
     }
     mesh_.positions = floats_from_text(positions_, 3);
+}
+
+// The cells a section's numbers are about; nullptr where these are points, companions or not there.
+const Cells* MeditReader::named_cells(const MeditNames& names) const {
+    for (const Cells& cells : sections_)
+        if (cells.section->keyword == names.section && cells.first != kNoIndex) return &cells;
+    return nullptr;
+}
+
+Status MeditReader::cell_named(const Kept& kept, const Cells& cells, std::int64_t number) {
+    if (number >= 1 && static_cast<Index>(number) <= cells.references.size()) return Done{};
+    in_.seek(kept.at);
+    return in_.error("section " + kept.keyword + " names number " + std::to_string(number) +
+                     " of " + std::to_string(cells.references.size()) + " " +
+                     std::string(cells.section->keyword));
+}
+
+// Values at corners of cells, such as NormalAtTriangleVertices: a pool of them in the order of the
+// rows, since a number of a corner could not follow a cell that is turned.
+Status MeditReader::take_corners(const Kept& kept, const Cells& cells) {
+    std::vector<Index> index(mesh_.corners.size(), kNoIndex);
+    const Array where = kept.columns(0, 2);
+    for (std::size_t r = 0; r < kept.rows(); ++r) {
+        std::int64_t cell = 0, corner = 0;
+        if (!integer_at(where, 2 * r, cell) || !integer_at(where, 2 * r + 1, corner)) cell = 0;
+        if (Status status = cell_named(kept, cells, cell); !status) return status;
+        const Index size = cells.section->nodes;
+        const Index at = (static_cast<Index>(cell) - 1) * size + static_cast<Index>(corner) - 1;
+        const Index first = mesh_.corner_begin[cells.first];
+        if (corner < 1 || static_cast<Index>(corner) > size || index[first + at] != kNoIndex) {
+            in_.seek(kept.at);
+            return in_.error("section " + kept.keyword + " names corner " + std::to_string(corner) +
+                             " of number " + std::to_string(cell) +
+                             ", which is not there or comes twice");
+        }
+        index[first + at] = r;
+    }
+    add_attribute(mesh_, "medit:" + kept.keyword, Place::corner, kept.columns(2, kept.arity),
+                  std::move(index));
+    return Done{};
+}
+
+Status MeditReader::take_kept(const Kept& kept) {
+    const std::string name = "medit:" + kept.keyword;
+    const std::optional<MeditNames> names = medit_names(kept.keyword, kept.arity);
+    const bool of_points = names && names->section == "Vertices";
+    const Cells* cells = names && !of_points ? named_cells(*names) : nullptr;
+    if (kept.numbers.empty() || !(of_points || cells)) {
+        add_attribute(mesh_, name, Place::mesh, kept.columns(0, kept.arity));
+        return Done{};
+    }
+    if (names->corners && mesh_.kind == CellKind::polygon) return take_corners(kept, *cells);
+    const std::uint32_t whole = std::min(names->whole, kept.arity);
+    Attribute& attribute = add_attribute(mesh_, name, Place::mesh, kept.columns(0, whole));
+    if (!is_float(attribute.values.scalar)) {
+        const std::int64_t base = cells ? 1 - static_cast<std::int64_t>(cells->first) : 1;
+        for (std::uint32_t k = 0; k < names->columns; ++k)
+            attribute.references.push_back({k, cells ? Place::cell : Place::point, base});
+        for (std::size_t i = 0; cells && i < attribute.values.count() * whole; ++i) {
+            std::int64_t number = 0;
+            integer_at(attribute.values, i, number);
+            if (i % whole >= names->columns) continue;
+            if (Status status = cell_named(kept, *cells, number); !status) return status;
+        }
+    }
+    if (whole < kept.arity)
+        add_attribute(mesh_, name + ":reals", Place::mesh, kept.columns(whole, kept.arity));
+    return Done{};
+}
+
+void MeditReader::take_references() {
     const auto add = [&](Place place, const std::vector<std::int64_t>& references) {
         if (any_non_zero(references))
-            mesh_.attributes.push_back({"medit:ref", place, integers_from_text(references, 1), {}});
+            add_attribute(mesh_, "medit:ref", place, integers_from_text(references, 1));
     };
     add(Place::point, point_references_);
     add(Place::cell, cell_references_);
@@ -254,6 +350,9 @@ Result<Mesh> MeditReader::read() {
                          std::to_string(point_references_.size()));
     }
     build();
+    for (const Kept& kept : kept_)
+        if (Status status = take_kept(kept); !status) return status.error();
+    take_references();
     return std::move(mesh_);
 }
 

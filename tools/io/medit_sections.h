@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace ravel::io {
@@ -34,6 +35,17 @@ inline constexpr MeditSection kMeditSections[] = {
 
 // nullptr when the keyword (in any case) names no section of cells.
 const MeditSection* medit_section(std::string_view keyword);
+
+// A section about the mesh whose numbers name vertices or cells, each from 1 on in its own section.
+struct MeditNames {
+    std::string_view section;   // that of what is named
+    std::uint32_t columns = 1;  // how many numbers of a row name something; they come first
+    std::uint32_t whole = 2;    // how many are integers; reals follow
+    bool corners = false;       // the second number is a corner of the cell that the first names
+};
+
+// nullopt when the numbers of a section with rows of this length name nothing whose order changes.
+std::optional<MeditNames> medit_names(std::string_view keyword, std::uint32_t arity);
 
 // A few sections are just numbers, without a count before them.
 bool medit_has_count(std::string_view keyword);

@@ -1,5 +1,6 @@
 // MEDIT .mesh as text, writing. Each section comes once, as other programs ask for.
 #include <algorithm>
+#include <array>
 
 #include "io/attributes.h"
 #include "io/decimals.h"
@@ -29,11 +30,14 @@ class MeditWriter {
     Status append_polygons();
     void append_companions();
     void append_kept();
+    void append_rows(const Attribute& attribute, const Attribute* reals);
+    bool append_corner_rows(const Attribute& attribute, const std::string& keyword);
 
     const Mesh& mesh_;
     const std::string& path_;
     LeftOut left_out_;
     std::string out_;
+    std::vector<Index> number_of_cell_;  // from 1 on in the section that it was written to
 };
 
 const Attribute* MeditWriter::references(Place place) {
@@ -104,8 +108,10 @@ void MeditWriter::append_tets() {
             "the order of the tets has no place in MEDIT: tets with edge nodes come last");
     if (quadratic != mesh_.cell_count() || quadratic == 0) {
         begin_section("Tetrahedra", mesh_.cell_count() - quadratic);
+        Index number = 0;
         for (Index c = 0; c < mesh_.cell_count(); ++c) {
             if (middle_of[c] != kNoIndex) continue;
+            number_of_cell_[c] = ++number;
             append_nodes(mesh_.cell(c));
             append_reference(refs, c);
         }
@@ -115,6 +121,7 @@ void MeditWriter::append_tets() {
     for (Index i = 0; i < quadratic; ++i) {
         append_nodes(mesh_.cell(middles->hosts[i]));
         append_nodes({middles->nodes.data() + 6 * i, 6});
+        number_of_cell_[middles->hosts[i]] = i + 1;
         append_reference(refs, middles->hosts[i]);
     }
 }
@@ -141,8 +148,10 @@ Status MeditWriter::append_polygons() {
         Index count = 0;
         for (Index c = 0; c < mesh_.cell_count(); ++c) count += mesh_.cell(c).size() == size;
         begin_section(size == 3 ? "Triangles" : "Quadrilaterals", count);
+        Index number = 0;
         for (Index c = 0; c < mesh_.cell_count(); ++c) {
             if (mesh_.cell(c).size() != size) continue;
+            number_of_cell_[c] = ++number;
             append_nodes(mesh_.cell(c));
             append_reference(refs, c);
         }
@@ -188,28 +197,95 @@ void MeditWriter::append_companions() {
     }
 }
 
+// Rows of an attribute and, behind them, those of its reals. Numbers of points and cells become
+// those of this file.
+void MeditWriter::append_rows(const Attribute& attribute, const Attribute* reals) {
+    const Array& values = attribute.values;
+    const auto append = [&](std::size_t row, std::uint32_t k) {
+        const std::size_t flat = row * values.arity + k;
+        for (const Reference& r : attribute.references) {
+            std::int64_t number = 0;
+            if (r.component != k || !integer_at(values, flat, number)) continue;
+            const Index named = static_cast<Index>(number) - static_cast<Index>(r.base);
+            if (named >= element_count(mesh_, r.place)) continue;
+            append_number(out_, r.place == Place::cell ? number_of_cell_[named] : named + 1);
+            return;
+        }
+        append_number(out_, values, flat);
+    };
+    for (std::size_t row = 0; row < values.count(); ++row) {
+        for (std::uint32_t k = 0; k < values.arity; ++k) {
+            if (k != 0) out_ += ' ';
+            append(row, k);
+        }
+        for (std::uint32_t k = 0; reals && k < reals->values.arity; ++k) {
+            out_ += ' ';
+            append_number(out_, reals->values, row * reals->values.arity + k);
+        }
+        out_ += '\n';
+    }
+}
+
+// Rows of a cell, a corner of it and a value, in the order of the values. False where the values
+// are not those of one corner each, of cells of the right size.
+bool MeditWriter::append_corner_rows(const Attribute& attribute, const std::string& keyword) {
+    const std::optional<MeditNames> names = medit_names(keyword, attribute.values.arity + 2);
+    if (!names || !names->corners || mesh_.kind != CellKind::polygon || attribute.index.empty())
+        return false;
+    const std::size_t size = medit_section(names->section)->nodes;
+    const Array& values = attribute.values;
+    std::vector<std::array<Index, 2>> place(values.count(), {kNoIndex, 0});  // cell and corner
+    for (Index c = 0; c < mesh_.cell_count(); ++c) {
+        for (Index k = 0; k < mesh_.cell(c).size(); ++k) {
+            const Index row = attribute.index[mesh_.corner_begin[c] + k];
+            if (row == kNoIndex) continue;
+            if (mesh_.cell(c).size() != size || place[row][0] != kNoIndex) return false;
+            place[row] = {c, k};
+        }
+    }
+    for (const auto& [cell, corner] : place)
+        if (cell == kNoIndex) return false;
+    begin_section(keyword, values.count());
+    for (std::size_t row = 0; row < values.count(); ++row) {
+        append_number(out_, number_of_cell_[place[row][0]]);
+        out_ += ' ';
+        append_number(out_, place[row][1] + 1);
+        out_ += ' ';
+        for (std::uint32_t k = 0; k < values.arity; ++k) {
+            append_number(out_, values, row * values.arity + k);
+            out_ += k + 1 == values.arity ? '\n' : ' ';
+        }
+    }
+    return true;
+}
+
 void MeditWriter::append_kept() {
-    constexpr std::string_view kPrefix = "medit:";
-    for (const Attribute& attribute : mesh_.attributes) {
-        if (attribute.place != Place::mesh || !attribute.name.starts_with(kPrefix)) continue;
+    constexpr std::string_view kPrefix = "medit:", kReals = ":reals";
+    const std::vector<Attribute>& all = mesh_.attributes;
+    for (std::size_t a = 0; a < all.size(); ++a) {
+        const Attribute& attribute = all[a];
+        if (!attribute.name.starts_with(kPrefix)) continue;
         const std::string keyword = attribute.name.substr(kPrefix.size());
         const bool is_word =
             !keyword.empty() && std::all_of(keyword.begin(), keyword.end(), [](char c) {
                 return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
             });
-        const Array& values = attribute.values;
-        if (!is_word || (!medit_has_count(keyword) && values.count() != 1)) continue;
+        if (!is_word) continue;
+        if (attribute.place == Place::corner && append_corner_rows(attribute, keyword))
+            left_out_.take(&attribute);
+        const std::size_t rows = attribute.values.count();
+        if (attribute.place != Place::mesh || (!medit_has_count(keyword) && rows != 1)) continue;
+        const bool more = a + 1 < all.size() && all[a + 1].place == Place::mesh &&
+                          all[a + 1].name == attribute.name + std::string(kReals) &&
+                          all[a + 1].values.count() == rows;
         left_out_.take(&attribute);
+        if (more) left_out_.take(&all[a + 1]);
         if (medit_has_count(keyword)) {
-            begin_section(keyword, values.count());
+            begin_section(keyword, rows);
         } else {
             out_ += keyword + "\n";
         }
-        for (std::size_t i = 0; i < values.count(); ++i)
-            for (std::uint32_t k = 0; k < values.arity; ++k) {
-                append_number(out_, values, i * values.arity + k);
-                out_ += k + 1 == values.arity ? '\n' : ' ';
-            }
+        append_rows(attribute, more ? &all[a + 1] : nullptr);
     }
 }
 
@@ -217,6 +293,7 @@ Status MeditWriter::write(Sentences* sentences) {
     out_ = mesh_.positions.scalar == Scalar::f32 ? "MeshVersionFormatted 1\nDimension 3\n"
                                                  : "MeshVersionFormatted 2\nDimension 3\n";
     append_vertices();
+    number_of_cell_.resize(mesh_.cell_count());
     if (mesh_.kind == CellKind::tet) {
         append_tets();
     } else if (Status status = append_polygons(); !status) {

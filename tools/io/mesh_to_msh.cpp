@@ -80,6 +80,41 @@ std::vector<Index> counted(Index count) {
     return tags;
 }
 
+// The corners of each cell as they were in the file, for $ElementNodeData. The cells are the first
+// of the list; edge nodes of quadratic tets go with the corners.
+void restore_corners(Building& b) {
+    const Attribute* attribute = find_attribute(b.mesh, Place::corner, kGmshCorner);
+    if (!attribute || attribute->values.scalar != Scalar::u8 || attribute->values.arity != 1 ||
+        !attribute->index.empty()) {
+        return;
+    }
+    constexpr std::uint8_t kEdgeOf[4][4] = {{0, 0, 2, 3}, {0, 0, 1, 4}, {2, 1, 0, 5}, {3, 4, 5, 0}};
+    bool turned = false;
+    Index first = 0;
+    for (Index c = 0; c < b.mesh.cell_count(); ++c) {
+        const std::size_t size = b.mesh.cell(c).size();
+        const auto to = attribute->values.as<std::uint8_t>().subspan(first, size);
+        first += size;
+        std::vector<std::uint8_t> sorted(to.begin(), to.end()), usual(size);
+        for (std::size_t k = 0; k < size; ++k) usual[k] = static_cast<std::uint8_t>(k);
+        if (std::equal(to.begin(), to.end(), usual.begin())) continue;
+        std::sort(sorted.begin(), sorted.end());
+        if (sorted != usual) continue;
+        turned = true;
+        const std::span<const Index> cell = b.file.cells.cell(c);
+        const std::vector<Index> nodes(cell.begin(), cell.end());
+        Index* const out = b.file.cells.nodes.data() + b.file.cells.begin[c];
+        for (std::size_t k = 0; k < size; ++k) out[to[k]] = nodes[k];
+        for (std::size_t i = 0; nodes.size() == 10 && i < 4; ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                out[4 + kEdgeOf[to[i]][to[j]]] = nodes[4 + kEdgeOf[i][j]];
+            }
+        }
+    }
+    if (turned) b.left_out.say("cells begin with the corner that $ElementNodeData begins with");
+    b.left_out.take(attribute);
+}
+
 void build_nodes(Building& b) {
     const Index count = b.mesh.point_count();
     b.file.positions = b.mesh.positions;
@@ -358,6 +393,7 @@ Result<MshFile> mesh_to_msh(const Mesh& mesh, const std::string& path, bool bina
     Building b{mesh, {}, left_out, join_cell_data(mesh), {}};
     b.file.binary = binary;
     b.file.cells = std::move(*cells);
+    restore_corners(b);
     build_elements(b);
     build_nodes(b);
     if (b.file.positions.scalar != type_when_read(b.file.positions, binary)) {

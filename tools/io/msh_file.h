@@ -80,6 +80,9 @@ inline constexpr const char* kGmshNodeData = "gmsh:NodeData:";
 inline constexpr const char* kGmshElementData = "gmsh:ElementData:";
 inline constexpr const char* kGmshNode = "gmsh:node";
 inline constexpr const char* kGmshElement = "gmsh:element";
+// Which corner of its element each corner was, where $ElementNodeData has values for them in order.
+inline constexpr const char* kGmshCorner = "gmsh:corner";
+inline constexpr const char* kCornerSection = "ElementNodeData";
 inline constexpr const char* kGmshPhysical = "gmsh:physical";
 inline constexpr const char* kGmshGeometrical = "gmsh:geometrical";
 inline constexpr const char* kGmshElementDimension = "gmsh:element_dim";

@@ -26,8 +26,26 @@ bool all_are(const std::vector<std::int32_t>& values, std::int32_t value) {
     return std::all_of(values.begin(), values.end(), [&](std::int32_t v) { return v == value; });
 }
 
+// May a section that is kept as it is name nodes or elements by their numbers? Then these have to be
+// kept, too, since the order of points and cells may change.
+bool names_nodes(const MshSection& section) {
+    for (const char* name : {"PartitionedEntities", "GhostElements", "Parametrizations",
+                             "ElementNodeData", "InterpolationScheme", "Comments"}) {
+        if (section.name == name) return false;
+    }
+    return true;
+}
+bool names_elements(const MshSection& section) {
+    for (const char* name : {"PartitionedEntities", "Periodic", "Parametrizations",
+                             "InterpolationScheme", "Comments"}) {
+        if (section.name == name) return false;
+    }
+    return true;
+}
+
 void add_node_attributes(MshFile& file, CellKind kind, Mesh& mesh) {
-    if (!counts_from_one(file.node_tags, {})) {
+    if (!counts_from_one(file.node_tags, {}) ||
+        std::any_of(file.sections.begin(), file.sections.end(), names_nodes)) {
         add_attribute(mesh, kGmshNode, Place::point, as_i64(file.node_tags));
     }
     if (!all_are(file.node_dimensions, dimension_of(kind)) ||
@@ -80,11 +98,25 @@ std::vector<CellData> columns_of_entities(const MshFile& file) {
     return columns;
 }
 
-// Element numbers matter where they are not the order of the file, and where a section that is kept
-// as it is may refer to them and a Mesh, which has its cells first, changes that order.
+// Element numbers matter where they are not the order of the file.
 bool keeps_element_tags(const MshFile& file) {
-    if (counts_from_one(file.element_tags, mesh_order(file.cells))) return false;
-    return !file.sections.empty() || !counts_from_one(file.element_tags, {});
+    if (std::any_of(file.sections.begin(), file.sections.end(), names_elements)) return true;
+    return !counts_from_one(file.element_tags, mesh_order(file.cells)) &&
+           !counts_from_one(file.element_tags, {});
+}
+
+// Cells of a mesh may come to begin with another corner; values in a section can't follow.
+void add_corner_numbers(const MshFile& file, Mesh& mesh) {
+    const auto has_corners = [](const MshSection& s) { return s.name == kCornerSection; };
+    if (!std::any_of(file.sections.begin(), file.sections.end(), has_corners)) return;
+    std::vector<std::uint8_t> numbers;
+    numbers.reserve(mesh.corners.size());
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+        for (std::size_t k = 0; k < mesh.cell(c).size(); ++k) {
+            numbers.push_back(static_cast<std::uint8_t>(k));
+        }
+    }
+    add_attribute(mesh, kGmshCorner, Place::corner, array_of(numbers, 1));
 }
 
 // Rows come in any order and may leave elements out. Gives the index per element.
@@ -242,6 +274,7 @@ Result<Mesh> msh_to_mesh(MshFile file, const std::string& path) {
         }
     }
     split_cells(file.cells, std::move(cell_data), mesh);
+    add_corner_numbers(file, mesh);
     mesh.tag_names = std::move(file.names);
     add_notes(file, mesh);
     return mesh;

@@ -54,8 +54,8 @@ void keep_list(std::vector<Attribute>& kept, const PlyElement& element, PlyPrope
     std::vector<std::uint32_t> counts(element.count);
     for (Index r = 0; r < element.count; ++r)
         counts[r] = static_cast<std::uint32_t>(property.begin[r + 1] - property.begin[r]);
-    kept.push_back({name + std::string(kCounts), Place::mesh, array_of(counts, 1), {}});
-    kept.push_back({name, Place::mesh, std::move(property.values), {}});
+    kept.push_back({name + std::string(kCounts), Place::mesh, array_of(counts, 1), {}, {}});
+    kept.push_back({name, Place::mesh, std::move(property.values), {}, {}});
 }
 
 // A list with the same number of values for each corner of its face, or none, such as texcoord.
@@ -115,6 +115,7 @@ void keep_element(PlyElement& element, std::vector<Attribute>& kept) {
             kept.push_back({std::string(kPrefix) + element.name + ":" + property.name,
                             Place::mesh,
                             std::move(property.values),
+                            {},
                             {}});
         }
     }

@@ -203,7 +203,7 @@ Status write_ply(const Mesh& mesh, const std::string& path, const WriteOptions& 
     left_out.take_notes("ply:obj_info");
 
     PlyElement vertices{"vertex", mesh.point_count(), {}};
-    const Attribute positions{"", Place::point, mesh.positions, {}};
+    const Attribute positions{"", Place::point, mesh.positions, {}, {}};
     const std::vector<Index> points = all_elements(mesh.point_count());
     for (std::uint32_t k = 0; k < 3; ++k)
         vertices.properties.push_back(

@@ -268,7 +268,7 @@ Status TetgenReader::companions(const std::string& path, Companions& kind) {
     const std::uint32_t nodes = quadratic ? kind.quadratic_nodes : kind.nodes;
     const std::uint64_t markers = words == 1 + nodes ? 0 : promised_markers;
     if (Status status = table.check_size(1 + nodes + markers); !status) return status;
-    // More columns name neighbours (of faces: two tets); they are kept as they are.
+    // More columns name neighbours: two tets of a face, one of an edge, -1 for none.
     const std::size_t more =
         cell_count != 0 && words > 1 + nodes + markers ? words - 1 - nodes - markers : 0;
 
@@ -295,9 +295,13 @@ Status TetgenReader::companions(const std::string& path, Companions& kind) {
         if (Status status = table.end_row(); !status) return status;
     }
     if (Status status = table.end(); !status) return status;
-    if (more != 0)
-        add_attribute(mesh_, "tetgen:neighbours:" + kind.name, Place::mesh,
-                      integers_from_text(neighbours, static_cast<std::uint32_t>(more)));
+    if (more != 0) {
+        Attribute& attribute =
+            add_attribute(mesh_, "tetgen:neighbours:" + kind.name, Place::mesh,
+                          integers_from_text(neighbours, static_cast<std::uint32_t>(more)));
+        for (std::uint32_t k = 0; k < std::min<std::size_t>(more, kind.nodes - 1); ++k)
+            attribute.references.push_back({k, Place::cell, first_});
+    }
     mesh_.companions.push_back(std::move(block));
     return Done{};
 }
