@@ -88,6 +88,7 @@ Result<Head> read_head(ByteReader& in) {
     }
     const std::uint64_t count = in.varint();
     if (count > in.left() / 4) return bad("more attributes than the head has room for");
+    head.attributes.reserve(count);
     for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
         AttributeHead a;
         a.name = in.text();
@@ -96,6 +97,7 @@ Result<Head> read_head(ByteReader& in) {
         a.tuples = in.varint();
         const std::uint64_t references = width & 1 ? in.varint() : 0;
         if (references > in.left() / 2) return bad("more references than the head has room for");
+        a.references.reserve(references);
         for (std::uint64_t r = 0; r < references; ++r) {
             const std::uint64_t component = in.varint();
             const std::int64_t base = unzigzag(in.varint());

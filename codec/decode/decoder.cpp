@@ -21,8 +21,9 @@ const Section& section_of(const FileSections& file, SectionId id) {
 // The most a block's own arrays can take, from its head alone.
 std::uint64_t memory_of(const FileSections& file) {
     const BlockHead& b = file.block;
-    const std::uint64_t per_corner = file.head.kind == CellKind::tet ? 48 : 42;
-    const std::uint64_t per_cell = 80, per_vertex = 240;
+    const bool order = file.head.keeps_order;  // then there are two meshes for a while
+    const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 64 : 52) + (order ? 16 : 0);
+    const std::uint64_t per_cell = order ? 128 : 80, per_vertex = order ? 312 : 264;
     return b.corners * per_corner + b.cells * per_cell + (b.vertices + b.unused_points) * per_vertex;
 }
 
@@ -134,18 +135,26 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.mirrored = block.mirrored;
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
-    // A flag costs at least 1/1386 bit, and a cell asks for a few.
-    limits.plausible = (codes.size() + 8) * 8 * 1386;
+    // A flag costs at least 1/1386 bit; a cell or a vertex asks for one at least, and a cell for one per corner
+    // but for two.
+    limits.plausible = (codes.size() + position_bytes.size() + 16) * 8 * 1386;
+    const std::uint64_t at = section_of(file, SectionId::connectivity).at;
+    if (block.cells > limits.plausible || block.vertices > limits.plausible ||
+        block.corners / 3 > limits.plausible)
+        return Error{Code::corrupt, at, "the codes of the strip can't tell of so many cells"};
     const bool tets = file.head.kind == CellKind::tet;
     DecodeDriver driver(codes, positions, position_bits, tets ? tet::kContexts : surface::kContexts,
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
                         tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies, block.has_flips, tets);
-    const std::uint64_t at = section_of(file, SectionId::connectivity).at;
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
 
+    const auto starts = static_cast<Index>(std::count(out.walked.gate.begin(), out.walked.gate.end(), kNone));
+    const auto links = static_cast<Index>(std::count(out.walked.by_link.begin(), out.walked.by_link.end(), 1));
+    if (starts != block.components || links != block.links)
+        return Error{Code::corrupt, at, "the strip has not as many parts as announced"};
     std::size_t points = 0;
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
@@ -168,22 +177,36 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
 }
 
 template <class Read>
-Status decode_section(const FileSections& file, SectionId id, std::uint64_t& budget, const Read& read) {
+Status decode_section(const FileSections& file, SectionId id, std::uint64_t& budget, std::uint64_t growth,
+                      const Read& read) {
     const Section& section = section_of(file, id);
     if (section.id == SectionId::end) return Done{};
-    Result<Bytes> raw = unpack_section(section, budget);
+    Result<Bytes> raw = unpack_section(section, budget, growth);
     if (!raw) return raw.error();
     ByteReader in(*raw, section.at);
     return read(in);
 }
 
+// What indices of attributes take beside their section.
+Status charge_indices(const FileSections& file, const Mesh& mesh, std::uint64_t& budget) {
+    const std::uint64_t per_index = file.head.keeps_order ? 24 : 8;
+    for (const AttributeHead& a : file.head.attributes) {
+        const Index elements = a.indexed ? element_count(mesh, a.place) : 0;
+        if (elements > budget / per_index)
+            return Error{Code::limit_exceeded, section_of(file, SectionId::attributes).at,
+                         "the attributes need more memory than allowed"};
+        budget -= elements * per_index;
+    }
+    return Done{};
+}
+
 }  // namespace
 
 Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options) {
-    Result<FileSections> opened = open_file(bytes);
+    std::uint64_t budget = options.memory_limit;
+    Result<FileSections> opened = open_file(bytes, budget);
     if (!opened) return opened.error();
     const FileSections& file = *opened;
-    std::uint64_t budget = options.memory_limit;
     const std::uint64_t need = memory_of(file);
     if (need > budget)
         return Error{Code::limit_exceeded, section_of(file, SectionId::block).at,
@@ -201,17 +224,21 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     if ((file.block.companions > 0) != (section_of(file, SectionId::companions).id != SectionId::end) ||
         file.head.attributes.empty() != (section_of(file, SectionId::attributes).id == SectionId::end))
         return Error{Code::corrupt, 0, "the heads and the sections contradict each other"};
-    Status status = decode_section(file, SectionId::companions, budget,
+    // Growth: nodes are a byte in the file and twice eight in memory, while the order is restored; a block,
+    // a name or a note is a few dozen times its shortest form.
+    Status status = decode_section(file, SectionId::companions, budget, 40,
                                    [&](ByteReader& in) { return read_companions(in, file.block, mesh); });
     if (!status) return status.error();
-    status = decode_section(file, SectionId::attributes, budget,
+    if (status = charge_indices(file, mesh, budget); !status) return status.error();
+    status = decode_section(file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
                             [&](ByteReader& in) { return read_attributes(in, file.head.attributes, mesh); });
     if (!status) return status.error();
-    status = decode_section(file, SectionId::names, budget, [&](ByteReader& in) { return read_names(in, mesh); });
+    status = decode_section(file, SectionId::names, budget, 72,
+                            [&](ByteReader& in) { return read_names(in, mesh); });
     if (!status) return status.error();
     out.cell.resize(mesh.cell_count());
     for (Index c = 0; c < out.cell.size(); ++c) out.cell[c] = c;
-    status = decode_section(file, SectionId::order, budget, [&](ByteReader& in) -> Status {
+    status = decode_section(file, SectionId::order, budget, 1, [&](ByteReader& in) -> Status {
         Result<Reorder> order = read_order(in, mesh);
         if (!order) return order.error();
         mesh = restore_order(mesh, *order);
@@ -220,6 +247,8 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
         return Done{};
     });
     if (!status) return status.error();
+    // Whatever the bytes were, what leaves is a mesh.
+    if (status = check_mesh(mesh); !status) return Error{Code::corrupt, 0, status.error().detail};
     return out;
 }
 

@@ -7,20 +7,20 @@
 
 namespace ravel {
 
-Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget) {
+Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std::uint64_t growth) {
     if (Status status = check_section(section); !status) return status.error();
-    if (section.raw_size > budget)
+    if (section.raw_size > budget / growth)
         return Error{Code::limit_exceeded, section.at,
                      std::string("section \"") + name_of(section.id) + "\" needs more memory than allowed"};
     if (section.packed && section.raw_size > most_unpacked(section.bytes.size()))
         return Error{Code::corrupt, section.at,
                      std::string("section \"") + name_of(section.id) + "\" can't hold as much as it says"};
-    budget -= section.raw_size;
+    budget -= section.raw_size * growth;
     if (!section.packed) return Bytes(section.bytes.begin(), section.bytes.end());
     return unpack(section.bytes, section.raw_size, section.at);
 }
 
-Result<FileSections> open_file(std::span<const std::byte> bytes) {
+Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& budget) {
     if (bytes.size() < kMagic.size() + 1 || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
         return Error{Code::not_a_ravel_file, 0, "this is not a ravel file (its first bytes are not \"Rav1\")"};
     ByteReader in(bytes);
@@ -43,8 +43,8 @@ Result<FileSections> open_file(std::span<const std::byte> bytes) {
                          std::string("section \"") + name_of(section->id) + "\" is out of its place"};
         last = id;
         if (section->id == SectionId::head || section->id == SectionId::block) {
-            std::uint64_t budget = std::uint64_t{16} << 20;
-            Result<Bytes> raw = unpack_section(*section, budget);
+            // Four bytes can ask for an attribute, which is as much here and later in the mesh.
+            Result<Bytes> raw = unpack_section(*section, budget, 64);
             if (!raw) return raw.error();
             ByteReader fields(*raw, section->at);
             if (section->id == SectionId::head) {
@@ -73,7 +73,8 @@ Result<FileSections> open_file(std::span<const std::byte> bytes) {
 }
 
 Result<FileInfo> inspect(std::span<const std::byte> bytes) {
-    Result<FileSections> file = open_file(bytes);
+    std::uint64_t budget = std::uint64_t{1} << 30;
+    Result<FileSections> file = open_file(bytes, budget);
     if (!file) return file.error();
     const Head& head = file->head;
     const BlockHead& block = file->block;

@@ -29,8 +29,10 @@ Status check_end(const ByteReader& in) {
 
 Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
     const std::uint64_t count = in.varint();
-    if (count != head.companions || count > in.left()) return corrupt(in, "the companions are not as many as announced");
+    // A block takes four bytes at least.
+    if (count != head.companions || count > in.left() / 4) return corrupt(in, "the companions are not as many as announced");
     const Index points = mesh.point_count(), cells = mesh.cell_count();
+    mesh.companions.reserve(count);
     for (std::uint64_t b = 0; b < count; ++b) {
         CompanionBlock block;
         const std::uint64_t type = in.varint(), nodes = in.varint();
@@ -65,6 +67,7 @@ Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
 }
 
 Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, Mesh& mesh) {
+    mesh.attributes.reserve(heads.size());
     for (const AttributeHead& head : heads) {
         Attribute attribute;
         attribute.name = head.name;
@@ -92,6 +95,7 @@ Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, 
 Status read_names(ByteReader& in, Mesh& mesh) {
     const std::uint64_t names = in.varint();
     if (names > in.left() / 4) return corrupt(in, "more names than there are bytes");
+    mesh.tag_names.reserve(names);
     for (std::uint64_t i = 0; i < names && in.ok(); ++i) {
         TagName name;
         name.attribute = in.text();
@@ -104,6 +108,7 @@ Status read_names(ByteReader& in, Mesh& mesh) {
     }
     const std::uint64_t notes = in.varint();
     if (notes > in.left() / 2) return corrupt(in, "more notes than there are bytes");
+    mesh.notes.reserve(notes);
     for (std::uint64_t i = 0; i < notes && in.ok(); ++i) {
         Note note;
         note.key = in.text();

@@ -161,6 +161,7 @@ class Comparer {
             place_corners();
             map = &corner_;
         }
+        if (map != nullptr && map->empty()) map = nullptr;  // a pool that nothing refers to
         if (!x.index.empty()) {
             if (x.values.bytes != y.values.bytes) return false;
             for (Index i = 0; i < x.index.size(); ++i)

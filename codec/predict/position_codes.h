@@ -87,8 +87,11 @@ class PositionCodes {
             std::uint32_t size = 0;
             if (format_.grid) {
                 const std::int64_t g = guess_grid(stencil, axis);
-                const std::int64_t q =
-                    g + code_residual(coder_, context, static_cast<std::int64_t>(truth[axis]) - g, size);
+                const std::int64_t r =
+                    code_residual(coder_, context, static_cast<std::int64_t>(truth[axis]) - g, size);
+                // A file may hold any residual: the sum wraps.
+                const auto q =
+                    static_cast<std::int64_t>(static_cast<std::uint64_t>(g) + static_cast<std::uint64_t>(r));
                 if (q >= kMostGrid || q <= -kMostGrid) {
                     values_.push_back({});
                     sizes_.push(0);

@@ -1,8 +1,8 @@
-// The walk over tets. A tet entered through a front facet (x0, x1, x2) is told by its apex: the apex
-// across one of the three edges (a fold), a new vertex, or an old one. [Gumhold1999] codes tets
-// against such a front. Where the vertices lie says most about which it is: among the apexes across
-// the edges and the front vertices near by, the one whose sphere through the entry facet lies lowest is
-// asked for first, under contexts of that height and of how many edges fold onto it.
+// The walk over tets. A tet entered through a front facet (x0, x1, x2) is told by its apex: the
+// apex across one of the three edges (a fold), a new vertex, or an old one. [Gumhold1999] codes
+// tets against such a front. Where the vertices lie says most about which it is: among the apexes
+// across the edges and the front vertices near by, the one whose sphere through the entry facet
+// lies lowest is asked for first, under contexts of that height and of how many edges fold onto it.
 //
 // Constant time per tet but for the hash; the search looks at a bounded number of vertices.
 //
@@ -28,7 +28,10 @@ template <class Driver>
 class TetWalk {
   public:
     TetWalk(Driver& driver, const WalkLimits& limits)
-        : driver_(driver), limits_(limits), front_(walked_.vertex), grid_(limits.grid_side, limits.grid_count) {
+        : driver_(driver),
+          limits_(limits),
+          front_(walked_.vertex),
+          grid_(limits.grid_side, limits.grid_count) {
         walked_.kind = CellKind::tet;
         reserve(walked_, limits);
         front_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
@@ -70,8 +73,8 @@ class TetWalk {
         }
     }
 
-    // The rule: leave through the facet whose opposite vertex is oldest, so that the strip sheds old
-    // vertices first.
+    // The rule: leave through the facet whose opposite vertex is oldest, so that the strip sheds
+    // old vertices first.
     Id choose_exit(Id cell, bool returned, bool& link) {
         const Id base = 4 * cell;
         std::array<Id, 4> exits{};
@@ -79,18 +82,21 @@ class TetWalk {
         for (Id f = base; f < base + 4; ++f)
             if (state_[f] == open) {
                 std::uint32_t i = count++;
-                for (; i > 0 && walked_.vertex[exits[i - 1]] > walked_.vertex[f]; --i) exits[i] = exits[i - 1];
+                for (; i > 0 && walked_.vertex[exits[i - 1]] > walked_.vertex[f]; --i)
+                    exits[i] = exits[i - 1];
                 exits[i] = f;
             }
         if (count == 0) return kNone;
         bool any_link = false;
-        for (std::uint32_t i = 0; i < count; ++i) any_link = any_link || driver_.links_through(exits[i]);
+        for (std::uint32_t i = 0; i < count; ++i)
+            any_link = any_link || driver_.links_through(exits[i]);
         link = driver_.flag(tet::kLink.at(returned, count - 1), any_link);
         for (std::uint32_t i = 0; i < count; ++i) {
             const Id f = exits[i];
             if (link && i + 1 == count) return f;
             const bool truth = link ? driver_.links_through(f) : driver_.leaves_through(f);
-            if (driver_.flag(tet::kExit.at(i, count - i - 1, folded_sides(f), returned), truth)) return f;
+            if (driver_.flag(tet::kExit.at(i, count - i - 1, folded_sides(f), returned), truth))
+                return f;
         }
         return kNone;
     }
@@ -148,7 +154,8 @@ class TetWalk {
         for (Id i = 0; i < 3; ++i) vertex[base + i] = vertex[back + kOutward[gate & 3][i]];
         const Id apex = code_apex(base, gate, kind);
         if (kind == Apex::fresh) {
-            Stencil stencil{Configuration::tet, {vertex[base], vertex[base + 1], vertex[base + 2], vertex[gate]}};
+            Stencil stencil = stencil_of(Configuration::tet, {vertex[base], vertex[base + 1],
+                                                              vertex[base + 2], vertex[gate]});
             for (Id k = 0; k < 3; ++k) stencil.at[4 + k] = front_.apex_across(3 * gate + k);
             if (!add_vertex(base + 3, stencil)) return false;
         } else {
@@ -168,20 +175,27 @@ class TetWalk {
 
     struct Candidate {
         Id vertex = kNone;
-        double height = 0;       // of its sphere
-        bool above = false;      // is it on the right side of the gate, and the gate no degenerate one?
-        std::uint32_t times = 0; // edges of the gate it folds onto
-        std::uint32_t fan = 0;   // most tets round one of these
+        double height = 0;   // of its sphere
+        bool above = false;  // is it on the right side of the gate, and the gate no degenerate one?
+        std::uint32_t times = 0;  // edges of the gate it folds onto
+        std::uint32_t fan = 0;    // most tets round one of these
         bool beyond_border = false;
     };
     static bool before(const Candidate& a, const Candidate& b) {
         if (a.above != b.above) return a.above;
         return a.above ? a.height < b.height : a.times > b.times;
     }
-    // Keeps the list sorted; equal ones stay in the order they came.
+    // Keeps the list sorted; equal ones stay in the order they came. What is beyond those asked for
+    // is let go, or a crowd of vertices would make each tet cost the square of the crowd.
+    static constexpr std::size_t kMostAsked = 12;
     void offer(const Candidate& candidate) {
         std::size_t i = list_.size();
-        list_.push_back(candidate);
+        if (i == kMostAsked) {
+            if (!before(candidate, list_.back())) return;
+            list_[--i] = candidate;
+        } else {
+            list_.push_back(candidate);
+        }
         for (; i > 0 && before(candidate, list_[i - 1]); --i) list_[i] = list_[i - 1];
         list_[i] = candidate;
     }
@@ -226,16 +240,17 @@ class TetWalk {
             kind = Apex::fresh;
             return kNone;
         }
-        constexpr std::size_t kMostAsked = 12;
-        for (std::size_t i = 1; i < list_.size() && i < kMostAsked; ++i) {
+        for (std::size_t i = 1; i < list_.size(); ++i) {
             const auto place = static_cast<std::uint32_t>(i - 1);
             if (driver_.flag(tet::kNext.at(place, list_[i].times, list_[i].above),
                              driver_.apex_is(list_[i].vertex)))
                 return answer(list_[i]);
         }
         kind = Apex::old;
-        const std::uint64_t age = driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
-        return age >= walked_.vertex_count ? kNone : static_cast<Id>(walked_.vertex_count - 1 - age);
+        const std::uint64_t age =
+            driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
+        return age >= walked_.vertex_count ? kNone
+                                           : static_cast<Id>(walked_.vertex_count - 1 - age);
     }
 
     // The apexes across the gate's edges. Returns how many of them lie across borders.
@@ -266,8 +281,8 @@ class TetWalk {
         return borders;
     }
 
-    // Front vertices inside the lowest sphere so far, or inside a rather high one. Where the sphere is
-    // large beside the grid's cubes the search is not made, or ends early.
+    // Front vertices inside the lowest sphere so far, or inside a rather high one. Where the sphere
+    // is large beside the grid's cubes the search is not made, or ends early.
     void offer_near(Id base, const SphereFamily& family) {
         if (family.flat()) return;
         constexpr std::uint64_t kMostCubes = 1000;
@@ -294,9 +309,11 @@ class TetWalk {
                         Candidate candidate;
                         candidate.vertex = v;
                         candidate.above = family.height_of(driver_.place(v), candidate.height);
-                        if (!candidate.above || candidate.height > height || in_gate(base, v)) continue;
-                        const bool known = std::any_of(list_.begin(), list_.end(),
-                                                       [&](const Candidate& c) { return c.vertex == v; });
+                        if (!candidate.above || candidate.height > height || in_gate(base, v))
+                            continue;
+                        const bool known =
+                            std::any_of(list_.begin(), list_.end(),
+                                        [&](const Candidate& c) { return c.vertex == v; });
                         if (!known) offer(candidate);
                     }
     }
@@ -341,8 +358,9 @@ class TetWalk {
                 const Id mate = front_.mate(3 * f + e) / 3;
                 if (state_[mate] == border) flat = std::max(flat, flatness(f, mate));
             }
-            if (driver_.flag(tet::kBorder.at(flat, vertices, static_cast<std::uint32_t>(apex), f & 3),
-                             driver_.border(f))) {
+            if (driver_.flag(
+                    tet::kBorder.at(flat, vertices, static_cast<std::uint32_t>(apex), f & 3),
+                    driver_.border(f))) {
                 become_border(f);
                 return;
             }
@@ -365,7 +383,11 @@ class TetWalk {
         const double d = dot(m, n), square = dot(m, m) * dot(n, n);
         if (!(d > 0)) return 1;
         const double r = d * d;
-        return r > 0.9999 * square ? 6 : r > 0.99 * square ? 5 : r > 0.9 * square ? 4 : r > 0.5 * square ? 3 : 2;
+        return r > 0.9999 * square ? 6
+               : r > 0.99 * square ? 5
+               : r > 0.9 * square  ? 4
+               : r > 0.5 * square  ? 3
+                                   : 2;
     }
     void become_border(Id f) {
         state_[f] = border;
@@ -377,10 +399,10 @@ class TetWalk {
     Walked walked_;
     TetFront front_;
     VertexGrid grid_;
-    std::vector<std::uint8_t> state_;       // per facet
-    std::vector<std::uint8_t> on_border_;   // per vertex
-    std::vector<std::uint32_t> open_count_; // per vertex: open facets around it
-    std::vector<Candidate> list_;           // of apexes, likeliest first
+    std::vector<std::uint8_t> state_;        // per facet
+    std::vector<std::uint8_t> on_border_;    // per vertex
+    std::vector<std::uint32_t> open_count_;  // per vertex: open facets around it
+    std::vector<Candidate> list_;            // of apexes, likeliest first
     std::vector<Id> pending_;
 };
 

@@ -1,0 +1,64 @@
+#include "support/file_parts.h"
+
+#include <algorithm>
+
+#include "container/sections.h"
+#include "entropy/pack.h"
+
+namespace ravel::test {
+
+std::optional<std::vector<FilePart>> take_apart(std::span<const std::byte> file) {
+    if (file.size() < kMagic.size() + 1) return {};
+    ByteReader in(file.subspan(kMagic.size() + 1));
+    std::vector<FilePart> parts;
+    for (;;) {
+        const Result<Section> section = read_section(in);
+        if (!section) return {};
+        if (section->id == SectionId::end) return parts;
+        FilePart part{section->id, {}};
+        if (section->packed) {
+            if (section->raw_size > std::uint64_t{16} << 20) return {};
+            Result<Bytes> raw = unpack(section->bytes, section->raw_size, 0);
+            if (!raw) return {};
+            part.raw = std::move(*raw);
+        } else {
+            part.raw.assign(section->bytes.begin(), section->bytes.end());
+        }
+        parts.push_back(std::move(part));
+    }
+}
+
+Bytes put_together(const std::vector<FilePart>& parts, int level) {
+    ByteWriter out;
+    out.raw(kMagic);
+    out.u8(kVersion);
+    for (const FilePart& part : parts)
+        write_section(out, part.id, part.raw, level > 0 ? pack(part.raw, level) : Bytes{});
+    out.u8(0);
+    return out.take();
+}
+
+std::string unsafe(std::span<const std::byte> file, const DecodeOptions& options) {
+    const Result<FileInfo> info = inspect(file);
+    const Result<Decoded> decoded = decode(file, options);
+    if (!decoded) return decoded.error().detail.empty() ? "an error without words" : "";
+    if (!info) return "inspect refuses what decode takes";
+    const Mesh& mesh = decoded->mesh;
+    if (const Status status = check_mesh(mesh); !status) return "broken mesh: " + status.error().detail;
+    if (info->cells != mesh.cell_count() || info->points != mesh.point_count() ||
+        info->corners != mesh.corners.size())
+        return "inspect counts otherwise";
+    if (decoded->steps.size() != mesh.cell_count()) return "not one step per cell";
+    std::vector<bool> seen(mesh.cell_count(), false);
+    for (const StripStep& step : decoded->steps) {
+        if (step.cell >= mesh.cell_count() || seen[step.cell]) return "a step to no new cell";
+        seen[step.cell] = true;
+        if (step.from == kNoIndex) continue;
+        if (step.from >= mesh.cell_count() || !seen[step.from]) return "a step from no visited cell";
+        if (step.exit >= mesh.cell(step.from).size() || step.entry >= mesh.cell(step.cell).size())
+            return "a step through no facet";
+    }
+    return {};
+}
+
+}  // namespace ravel::test
