@@ -9,3 +9,6 @@ import json
 report = json.load(open("report"))
 print("bound kept", report["max_error"] <= report["bound"] <= 0.001)
 P
+ravel -q make torus:quads=200,double -o double.vtk
+ravel verify double.vtk --float32 --json >report; grep '"equal"' report
+python3 -c 'import json; r = json.load(open("report")); print("rounding told", 0 < r["max_error"] <= r["bound"] < 1e-6)'

@@ -21,16 +21,28 @@ std::vector<ravel::EncodeOptions> option_rows() {
     return rows;
 }
 
+void round_positions(ravel::Mesh& mesh) {
+    if (mesh.positions.scalar == ravel::Scalar::f32) return;
+    ravel::Array rounded = ravel::make_array(ravel::Scalar::f32, 3, mesh.point_count());
+    for (std::size_t i = 0; i < rounded.as<float>().size(); ++i)
+        rounded.as<float>()[i] = static_cast<float>(mesh.positions.as<double>()[i]);
+    mesh.positions = std::move(rounded);
+}
+
 // Empty, or what went wrong.
 std::string trouble(const ravel::Mesh& mesh, const ravel::EncodeOptions& options) {
     const auto packed = ravel::encode(mesh, options);
+    // A small error on a huge mesh is more than any grid can promise, and is said so.
+    if (!packed && options.max_error && packed.error().code == ravel::Code::bad_option) return {};
     if (!packed) return "encode: " + packed.error().detail;
     const auto again = ravel::decode(packed->bytes);
     if (!again) return "decode: " + again.error().detail;
     if (const auto status = ravel::check_mesh(again->mesh); !status) return status.error().detail;
     if (again->steps.size() != mesh.cell_count()) return "not one step per cell";
+    ravel::Mesh expected = mesh;
+    if (options.float32) round_positions(expected);
     const auto found =
-        ravel::compare_meshes(mesh, again->mesh, packed->order, packed->position_bound);
+        ravel::compare_meshes(expected, again->mesh, packed->order, packed->position_bound);
     if (!found.equal) return "differs: " + found.difference;
     if (options.keep_order && !found.order_kept) return "the order was not kept";
     if (options.max_error && found.max_error > *options.max_error) return "the bound was not kept";

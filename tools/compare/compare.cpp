@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/contender.h"
+#include "compare/round.h"
 
 namespace ravel::compare {
 namespace {
@@ -63,6 +64,7 @@ std::vector<Row> compare_mesh(const std::string& name, Mesh mesh, const Request&
                               const std::string& settings) {
     Input input;
     input.options = request.options;
+    round_if_asked(mesh, request.options);  // before anybody sees it, so that all pack the same
     input.grid = grid_for(mesh, request.options);
     if (!request.attributes) {
         mesh.attributes.clear();
