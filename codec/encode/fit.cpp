@@ -1,4 +1,4 @@
-// Least squares by the normal equations, at most six unknowns; four rounds of reweighting by 1 / |error|
+// Least squares by the normal equations, at most ten unknowns; four rounds of reweighting by 1 / |error|
 // bring it near least absolute error, which is nearer to what residuals cost. O(vertices).
 #include "encode/fit.h"
 
@@ -19,7 +19,7 @@ struct Sample {
 Solution solve(std::array<std::array<double, kFeatures>, kFeatures> a, Solution b, std::size_t n) {
     double trace = 0;
     for (std::size_t i = 0; i < n; ++i) trace += a[i][i];
-    for (std::size_t i = 0; i < n; ++i) a[i][i] += 1e-4 * trace / static_cast<double>(n) + 1e-30;
+    for (std::size_t i = 0; i < n; ++i) a[i][i] += 1e-6 * a[i][i] + 1e-9 * trace + 1e-30;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t r = i + 1; r < n; ++r) {
             const double f = a[r][i] / a[i][i];
@@ -41,17 +41,21 @@ double error_of(const Sample& s, const Solution& w, std::size_t n) {
     return e;
 }
 
-// About what the residuals cost, in bits.
-double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit) {
+// About what the residuals cost, in bits. On a grid only whole steps of `step` cost anything.
+double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit, double step) {
     double bits = 0;
-    for (const Sample& s : samples) bits += std::log2(1 + std::abs(error_of(s, w, n)) / unit);
+    for (const Sample& s : samples) {
+        double e = std::abs(error_of(s, w, n));
+        if (step > 0) e = std::nearbyint(e / step) * step;
+        bits += std::log2(1 + e / unit);
+    }
     return bits;
 }
 
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<std::array<double, 3>>& values, const std::vector<bool>& skip) {
+                    const std::vector<std::array<double, 3>>& values, const std::vector<bool>& skip, bool grid) {
     constexpr std::size_t kMostSamples = 3 * 16384;
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
@@ -82,13 +86,16 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         w = preset;
         std::vector<double> sizes;
         for (const Sample& s : samples[c]) sizes.push_back(std::abs(error_of(s, preset, n)));
-        std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
-        const double unit = std::max(sizes[sizes.size() / 2] / 64, 1e-300);
+        // What counts as no error: a fraction of a grid step, or of a large error where there is no grid.
+        const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+        std::nth_element(sizes.begin(), large, sizes.end());
+        const double unit = grid ? 0.25 * static_cast<double>(divisor_of(static_cast<Configuration>(c)))
+                                 : std::max(*large / 4096, 1e-300);
         for (int round = 0; round < 5; ++round) {
             std::array<std::array<double, kFeatures>, kFeatures> a{};
             Solution b{};
             for (const Sample& s : samples[c]) {
-                const double weight = 1 / (std::abs(error_of(s, w, n)) + 4 * unit);
+                const double weight = 1 / (std::abs(error_of(s, w, n)) + unit);
                 for (std::size_t i = 0; i < n; ++i) {
                     for (std::size_t j = i; j < n; ++j) a[i][j] += weight * s.x[i] * s.x[j];
                     b[i] += weight * s.x[i] * s.y;
@@ -100,11 +107,13 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         }
         Solution rounded{};
         for (std::size_t i = 0; i < n; ++i) {
-            const double scaled = std::clamp(std::nearbyint(w[i] * 4096 / 32) * 32, -32000.0, 32000.0);
+            const double scaled = std::clamp(std::nearbyint(w[i] * 4096 / 4) * 4, -32000.0, 32000.0);
             rounded[i] = std::isfinite(scaled) ? scaled / 4096 : preset[i];
         }
         const double stored_bits = 16.0 * static_cast<double>(n) + 8;
-        if (cost_of(samples[c], rounded, n, unit) + stored_bits < cost_of(samples[c], preset, n, unit))
+        const double step = grid ? static_cast<double>(divisor_of(static_cast<Configuration>(c))) : 0;
+        if (cost_of(samples[c], rounded, n, unit, step) + stored_bits <
+            cost_of(samples[c], preset, n, unit, step))
             for (std::size_t i = 0; i < n; ++i)
                 weights[c][i] = static_cast<std::int16_t>(std::lround(rounded[i] * 4096));
     }

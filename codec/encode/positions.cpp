@@ -188,7 +188,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
                     : std::bit_cast<double>(bits);
         }
     }
-    plan.format.weights = fit_weights(record.stencils, coordinates, skip);
+    plan.format.weights = fit_weights(record.stencils, coordinates, skip, plan.format.grid);
     plan.format.coarseness = vertices < 400 ? 2 : vertices < 3000 ? 1 : 0;
 
     ByteWriter out;

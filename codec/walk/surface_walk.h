@@ -1,17 +1,19 @@
-// The walk over polygons. [DiazGopi2005] gives the strip; the front and its zips are in the manner of
-// cut-border coders, with corner counts as contexts.
+// The walk over polygons. [DiazGopi2005] gives the strip; the front and its zips are in the manner
+// of cut-border coders, with corner counts as contexts.
 //
-// The front is the facets of visited cells whose other side is not visited, and the borders met so far,
-// in closed loops. Seen from outside, front facet f runs from the end of side f to its start; next(f)
-// starts where f ends. Two neighbours in a loop bound one gap: unvisited cells around their vertex.
-// A new cell enters one gap at each of its old corners and splits it; a side that meets the front
-// zips with it and vanishes. Constant time per corner but for bounded steps along the front.
+// The front is the facets of visited cells whose other side is not visited, and the borders met so
+// far, in closed loops. Seen from outside, front facet f runs from the end of side f to its start;
+// next(f) starts where f ends. Two neighbours in a loop bound one gap: unvisited cells around their
+// vertex. A new cell enters one gap at each of its old corners and splits it; a side that meets the
+// front zips with it and vanishes. Constant time per corner but for bounded steps along the front.
 //
-// Truths of the driver (about the cell being entered; side and corner numbers count from its entry):
-//     Id degree()                       bool zips(Id side)         is the cell across already visited?
-//     bool is_new(Id corner)            bool border(Id side)       is there no cell across?
-//     Id gap(Id corner, bool& arrives)  a front facet of the corner's gap: that leaves it, or arrives at it
-//     bool links_through(Id facet)      bool leaves_through(Id facet)      (of the cell being left)
+// Truths of the driver (about the cell being entered; side and corner numbers count from its
+// entry):
+//     Id degree()                       bool zips(Id side)         is the cell across already
+//     visited? bool is_new(Id corner)            bool border(Id side)       is there no cell
+//     across? Id gap(Id corner, bool& arrives)  a front facet of the corner's gap: that leaves it,
+//     or arrives at it bool links_through(Id facet)      bool leaves_through(Id facet)      (of the
+//     cell being left)
 #pragma once
 
 #include "walk/walk.h"
@@ -97,8 +99,9 @@ class SurfaceWalk {
         return kNone;
     }
 
-    // The last two turns that were a choice: leftmost, rightmost or between. A repaired strip runs along
-    // many of its paths backwards and hugs with the other hand there. Small meshes look at one turn only.
+    // The last two turns that were a choice: leftmost, rightmost or between. A repaired strip runs
+    // along many of its paths backwards and hugs with the other hand there. Small meshes look at
+    // one turn only.
     void remember_turn(std::uint32_t i, std::uint32_t count) {
         constexpr Id kSmall = 2000;
         const std::uint32_t turn = i == 0 ? 0 : i + 1 == count ? 1 : 2;
@@ -112,9 +115,11 @@ class SurfaceWalk {
         const Id across = gate == kNone ? last : degree_at(walked_.cell_of[gate]);
         static constexpr Id kUsual[6] = {4, 3, 5, 6, 7, 8};
         for (std::uint32_t i = 0; i < 6; ++i)
-            if (driver_.flag(surface::kDegree.at(coarse(last), coarse(across), i), truth == kUsual[i]))
+            if (driver_.flag(surface::kDegree.at(coarse(last), coarse(across), i),
+                             truth == kUsual[i]))
                 return kUsual[i];
-        const std::uint64_t rest = driver_.number(surface::kDegreeRest.base, truth <= 2 ? truth : truth - 6);
+        const std::uint64_t rest =
+            driver_.number(surface::kDegreeRest.base, truth <= 2 ? truth : truth - 6);
         return static_cast<Id>(std::min<std::uint64_t>(rest <= 2 ? rest : rest + 6, kNone));
     }
     Id degree_at(Id cell) const { return walked_.first[cell + 1] - walked_.first[cell]; }
@@ -143,7 +148,8 @@ class SurfaceWalk {
         for (Id f = base; f < base + degree; ++f) {
             const Id v = walked_.vertex[f];
             if (corners_[v] < 255) ++corners_[v];
-            if (state_[f] == border) on_border_[v] = on_border_[walked_.vertex[walked_.next_in_cell(f)]] = 1;
+            if (state_[f] == border)
+                on_border_[v] = on_border_[walked_.vertex[walked_.next_in_cell(f)]] = 1;
         }
         driver_.end_cell(cell);
         return true;
@@ -164,11 +170,12 @@ class SurfaceWalk {
             Stencil stencil;
             const Id known = walked_.vertex_count;
             if (degree == 4 && i == 3)
-                stencil = {Configuration::quad_fourth, {known - 3, known - 1, known - 2, kNone, kNone}};
+                stencil = stencil_of(Configuration::quad_fourth, {known - 3, known - 1, known - 2});
             else if (i >= 1)
-                stencil.at = {known - 1, i >= 2 ? known - 2 : kNone, i >= 3 ? known - 3 : kNone};
+                stencil = stencil_of(Configuration::seed, {known - 1, i >= 2 ? known - 2 : kNone,
+                                                           i >= 3 ? known - 3 : kNone});
             else if (known > 0)
-                stencil.at = {known - 1};
+                stencil.at[0] = known - 1;
             if (!add_vertex(base + i, stencil)) return false;
         }
         for (Id i = 0; i < degree; ++i) {
@@ -189,10 +196,11 @@ class SurfaceWalk {
             is_border = false;
         } else {
             const bool before = side_before != kNone && state_[side_before] == border;
-            is_border = driver_.flag(
-                surface::kBorder.at(before || near_border_start_, near_border_end_,
-                                    start_new ? 0 : 1 + on_border_[s], end_new ? 0 : 1 + on_border_[e]),
-                driver_.border(f - walked_.first[walked_.cell_of[f]]));
+            is_border =
+                driver_.flag(surface::kBorder.at(before || near_border_start_, near_border_end_,
+                                                 start_new ? 0 : 1 + on_border_[s],
+                                                 end_new ? 0 : 1 + on_border_[e]),
+                             driver_.border(f - walked_.first[walked_.cell_of[f]]));
         }
         state_[f] = is_border ? border : open;
     }
@@ -213,7 +221,8 @@ class SurfaceWalk {
         vertex[base] = start_of(gate);
         vertex[base + 1] = end_of(gate);
         const std::uint32_t seen_a = seen(vertex[base]), seen_b = seen(vertex[base + 1]);
-        Id after = next_[gate], before = prev_[gate];  // of the gaps at both ends of the zipped chain
+        Id after = next_[gate],
+           before = prev_[gate];  // of the gaps at both ends of the zipped chain
         zip(base, gate);
 
         // Zips to the right, as far as they go; sides 1 .. right_end - 1.
@@ -263,7 +272,8 @@ class SurfaceWalk {
             const Id gap = gaps_[i - 1];
             // A side that leaves an old corner may run along the front.
             if (i - 1 > right_end && gap != kNone && state_[gap] == open &&
-                driver_.flag(surface::kZipMiddle.at(dc, seen(vertex[c - 1]) - 1), driver_.zips(i - 1))) {
+                driver_.flag(surface::kZipMiddle.at(dc, seen(vertex[c - 1]) - 1),
+                             driver_.zips(i - 1))) {
                 zip(c - 1, gap);
                 zipped_[i - 1] = 1;
                 vertex[c] = end_of(gap);
@@ -293,8 +303,8 @@ class SurfaceWalk {
         }
         near_border_start_ = near_border_end_ = false;
 
-        // Each corner hands its gap over to the sides beside it. The links of zipped facets are read
-        // before any is changed.
+        // Each corner hands its gap over to the sides beside it. The links of zipped facets are
+        // read before any is changed.
         arrive_.assign(n, kNone);
         for (Id i = right_end + 1; i < left_end; ++i)
             if (!fresh_[i]) arrive_[i] = zipped_[i - 1] ? kNone : prev_[gaps_[i]];
@@ -313,8 +323,8 @@ class SurfaceWalk {
         return true;
     }
 
-    // An old vertex, named by the front facet that leaves its gap: by steps along the front from either
-    // end of the zipped chain where that is near, otherwise by the age of the facet.
+    // An old vertex, named by the front facet that leaves its gap: by steps along the front from
+    // either end of the zipped chain where that is near, otherwise by the age of the facet.
     Id code_old(Id after, Id before, Id corner) {
         constexpr Id kNear = 64;
         bool arrives = false;
@@ -325,8 +335,10 @@ class SurfaceWalk {
         if (truth != kNone) {
             Id forth = next_[after], back = before;
             for (Id d = 0; d < kNear && steps == kNone; ++d) {
-                if (forth == truth) steps = d;
-                else if (back == truth) steps = d, backward = true;
+                if (forth == truth)
+                    steps = d;
+                else if (back == truth)
+                    steps = d, backward = true;
                 forth = next_[forth];
                 back = prev_[back];
             }
@@ -349,41 +361,64 @@ class SurfaceWalk {
         return front;
     }
 
-    // Around the entry: gate cell .. u_a, a | b, v_b ..; behind a zipped side likewise.
+    // The vertices beyond both ends of a visited cell's side (front facet), or none.
+    struct Beyond {
+        Id start = kNone, end = kNone;  // of the side as the new cell runs along it
+    };
+    Beyond beyond(Id facet) const {
+        const Id across = walked_.next_in_cell(walked_.next_in_cell(facet));
+        return {walked_.vertex[across], walked_.vertex[walked_.prev_in_cell(facet)]};
+    }
+    // One cell further, where the cell is a quad that was entered or zipped on the far side too.
+    Beyond far_beyond(Id facet) const {
+        const Id cell = walked_.cell_of[facet];
+        if (walked_.first[cell + 1] - walked_.first[cell] != 4) return {};
+        const Id opposite = walked_.next_in_cell(walked_.next_in_cell(facet));
+        const Id twin = walked_.twin[opposite];
+        return twin == kNone ? Beyond{} : beyond(twin);
+    }
+
     Stencil stencil_for(Id base, Id n, Id i, Id right_end, Id left_end) const {
         const auto& vertex = walked_.vertex;
         const Id a = vertex[base], b = vertex[base + 1];
-        const Id g = walked_.twin[base];  // runs b -> a in its own cell
-        const Id u_a = vertex[walked_.next_in_cell(walked_.next_in_cell(g))];
-        const Id v_b = vertex[walked_.prev_in_cell(g)];
-        if (n == 3) return {Configuration::triangle, {a, b, u_a, v_b}};
-        if (n == 4 && right_end == 2) {  // side 1 zipped: c known, corner 3 new
-            const Id t = walked_.twin[base + 1];  // runs c -> b
-            return {Configuration::quad_corner,
-                    {a, vertex[base + 2], b, u_a, v_b, vertex[walked_.prev_in_cell(t)],
-                     vertex[walked_.next_in_cell(walked_.next_in_cell(t))]}};
+        const Id g = walked_.twin[base];
+        const Beyond u = beyond(g);
+        if (n == 3) return stencil_of(Configuration::triangle, {a, b, u.start, u.end});
+        if (n == 4) {
+            const Beyond w = far_beyond(g);
+            if (right_end == 2) {  // side 1 zipped: corner 3 is new
+                const Id t = walked_.twin[base + 1];
+                const Beyond v = beyond(t), x = far_beyond(t);
+                return stencil_of(Configuration::quad_corner,
+                                  {a, vertex[base + 2], b, u.start, u.end, w.start, w.end, v.end,
+                                   v.start, x.end, x.start});
+            }
+            if (left_end == 3) {  // side 3 zipped: corner 2 is new; the mirror image
+                const Id t = walked_.twin[base + 3];
+                const Beyond v = beyond(t), x = far_beyond(t);
+                return stencil_of(Configuration::quad_corner,
+                                  {b, vertex[base + 3], a, u.end, u.start, w.end, w.start, v.start,
+                                   v.end, x.start, x.end});
+            }
+            if (i == 2)
+                return stencil_of(Configuration::quad_third,
+                                  {b, a, u.end, u.start, w.end, w.start});
+            return stencil_of(Configuration::quad_fourth,
+                              {a, vertex[base + 2], b, u.start, u.end, w.start, w.end});
         }
-        if (n == 4 && left_end == 3) {  // side 3 zipped: corner 3 known, corner 2 new; the mirror image
-            const Id t = walked_.twin[base + 3];  // runs a -> d
-            return {Configuration::quad_corner,
-                    {b, vertex[base + 3], a, v_b, u_a, vertex[walked_.next_in_cell(walked_.next_in_cell(t))],
-                     vertex[walked_.prev_in_cell(t)]}};
-        }
-        if (n == 4 && i == 2) return {Configuration::quad_third, {b, a, v_b, u_a}};
-        if (n == 4) return {Configuration::quad_fourth, {a, vertex[base + 2], b, u_a, v_b}};
         const Id z = i + 1 < n ? vertex[base + i + 1] : a;
-        return {Configuration::polygon,
-                {vertex[base + i - 1], vertex[base + i - 2], i >= 3 ? vertex[base + i - 3] : u_a, z}};
+        return stencil_of(Configuration::polygon, {vertex[base + i - 1], vertex[base + i - 2],
+                                                   i >= 3 ? vertex[base + i - 3] : u.start, z});
     }
 
     Driver& driver_;
     const WalkLimits limits_;
     Walked walked_;
-    std::vector<Id> next_, prev_;            // along the front, per facet
-    std::vector<std::uint8_t> state_;        // per facet
-    std::vector<std::uint8_t> corners_;      // per vertex: visited corners, at most 255
-    std::vector<std::uint8_t> on_border_;    // per vertex
-    std::vector<Id> pending_;                // cells to come back to after an excursion
+    std::vector<Id> next_, prev_;          // along the front, per facet
+    std::vector<std::uint8_t> state_;      // per facet
+    std::vector<std::uint8_t> corners_;    // per vertex: visited corners, at most 255
+    std::vector<std::uint8_t> on_border_;  // per vertex
+    std::vector<Id> pending_;              // cells to come back to after an excursion
     std::vector<Id> exits_, gaps_, arrive_;
     std::vector<std::uint8_t> fresh_, zipped_;
     std::uint32_t turns_ = 0;
