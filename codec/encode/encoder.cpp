@@ -1,6 +1,7 @@
 // From a mesh to a file: complex, strip, walk, and the sections one after the other.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "container/head.h"
@@ -11,6 +12,7 @@
 #include "entropy/pack.h"
 #include "ravel/ravel.h"
 #include "strip/build.h"
+#include "strip/pockets.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
 
@@ -26,7 +28,8 @@ Status check_options(const EncodeOptions& options) {
     if (options.max_error && !(*options.max_error > 0 && *options.max_error < 1e300))
         return bad("the largest error is a number above 0");
     if (options.level < 1 || options.level > 22) return bad("the level is 1 to 22");
-    if (!(options.strip_budget >= 0)) return bad("the strip budget is a percentage of at least 0");
+    if (options.strip_budget && !(*options.strip_budget >= 0))
+        return bad("the strip budget is a percentage of at least 0");
     return Done{};
 }
 
@@ -45,7 +48,8 @@ WalkLimits limits_of(const Complex& complex) {
     limits.cells = complex.cell_count();
     limits.corners = static_cast<Id>(complex.twin.size());
     limits.vertices = static_cast<Id>(complex.point.size());
-    limits.has_border = std::find(complex.twin.begin(), complex.twin.end(), kNone) != complex.twin.end();
+    limits.has_border =
+        std::find(complex.twin.begin(), complex.twin.end(), kNone) != complex.twin.end();
     if (complex.kind == CellKind::polygon && limits.cells > 0) {
         limits.uniform_degree = complex.degree(0);
         for (Id c = 1; c < limits.cells && limits.uniform_degree != 0; ++c)
@@ -93,8 +97,9 @@ Reorder reorder_of(const Mesh& mesh, const Complex& complex, const WalkRecord& r
     return order;
 }
 
-// The grid in which the walk looks for apexes: cubes of two mean edges, fewer where the box is large beside
-// the mesh. Where there are more tets of negative volume than of positive, the walk looks for mirror images.
+// The grid in which the walk looks for apexes: cubes of two mean edges, fewer where the box is
+// large beside the mesh. Where there are more tets of negative volume than of positive, the walk
+// looks for mirror images.
 void choose_grid(const Complex& complex, const std::vector<Point3>& places, BlockHead& block) {
     Point3 high{};
     double length = 0;
@@ -103,7 +108,8 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
         std::array<Point3, 4> p;
         for (Id i = 0; i < 4; ++i) {
             p[i] = places[complex.point[complex.vertex[base + i]]];
-            for (std::size_t axis = 0; axis < 3; ++axis) high[axis] = std::max(high[axis], p[i][axis]);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                high[axis] = std::max(high[axis], p[i][axis]);
         }
         const Point3 u = minus(p[1], p[0]);
         const double volume = dot(cross(u, minus(p[2], p[0])), minus(p[3], p[0]));
@@ -113,7 +119,8 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
         ++edges;
     }
     block.mirrored = negative > positive;
-    double side = edges == 0 ? 1 : std::max(1.0, std::floor(2 * length / static_cast<double>(edges)));
+    double side =
+        edges == 0 ? 1 : std::max(1.0, std::floor(2 * length / static_cast<double>(edges)));
     for (;; side = std::floor(side * 1.25) + 1) {
         std::uint64_t cubes = 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -124,6 +131,48 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
         if (cubes <= most_cubes(block.vertices)) break;
     }
     block.grid_side = static_cast<Index>(side);
+}
+
+struct Wound {
+    Strip strip;
+    WalkRecord record;
+    Bytes codes;
+};
+
+// What a materialised strip may add, in percent of the cells, unless asked otherwise: what the
+// paper's strips add.
+double budget_of(const Complex& complex, const EncodeOptions& options) {
+    return options.strip_budget.value_or(complex.kind == CellKind::tet ? 12 : 2.5);
+}
+
+// Of the strips within the budget the one whose codes are smallest. The repaired one always counts.
+// On surfaces the decoder's own walks compete, with their pockets linked or merged: they turn as
+// expected, but split cells. (Tets leave so many pockets that links cost more than turns.)
+template <class Wind>
+Wound choose_strip(const Complex& complex, const EncodeOptions& options, const Wind& wind) {
+    constexpr Id kLarge = 200000;  // cells from which one good candidate is enough
+    std::optional<Wound> best;
+    const auto consider = [&](Strip strip) {
+        Wound wound{std::move(strip), {}, {}};
+        wound.record = wind(wound.strip);
+        wound.codes = wound.record.codes.finish();
+        if (!best || wound.codes.size() < best->codes.size()) best = std::move(wound);
+    };
+    const auto consider_if_cheap = [&](Strip strip) {
+        const double added = static_cast<double>(added_cells(complex, strip));
+        if (100 * added <= budget_of(complex, options) * complex.cell_count())
+            consider(std::move(strip));
+    };
+    const bool large = complex.cell_count() >= kLarge;
+    if (options.method == FactorMethod::steered && complex.kind == CellKind::polygon)
+        for (const Id look_ahead : {Id{2}, Id{0}}) {
+            if (large && best) break;
+            const Steered walk = steer(complex, {look_ahead});
+            consider_if_cheap(link_pockets(complex, walk));
+            if (!large || !best) consider_if_cheap(merge_pockets(complex, walk));
+        }
+    if (!large || !best) consider(build_strip(complex, options.method));
+    return std::move(*best);
 }
 
 Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& options) {
@@ -138,8 +187,8 @@ Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& op
     head.bound = plan.bound;
     head.error = plan.error;
     for (const Attribute& a : mesh.attributes)
-        head.attributes.push_back({a.name, a.place, a.values.scalar, a.values.arity, is_pool(mesh, a),
-                                   a.values.count(), a.references});
+        head.attributes.push_back({a.name, a.place, a.values.scalar, a.values.arity,
+                                   is_pool(mesh, a), a.values.count(), a.references});
     return head;
 }
 
@@ -160,8 +209,6 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     Result<Complex> built = build_complex(mesh);
     if (!built) return built.error();
     const Complex& complex = *built;
-    const Strip strip = build_strip(complex, options.method);
-
     WalkLimits limits = limits_of(complex);
     BlockHead block;
     block.cells = limits.cells;
@@ -169,7 +216,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     block.vertices = limits.vertices;
     block.uniform_degree = limits.uniform_degree;
     block.has_border = limits.has_border;
-    block.has_flips = std::find(complex.flipped.begin(), complex.flipped.end(), 1) != complex.flipped.end();
+    block.has_flips =
+        std::find(complex.flipped.begin(), complex.flipped.end(), 1) != complex.flipped.end();
     std::vector<bool> used(mesh.point_count(), false);
     for (const Id p : complex.point) {
         block.points += !used[p];
@@ -178,24 +226,30 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     block.has_copies = block.points != block.vertices;
     block.unused_points = mesh.point_count() - block.points;
     block.companions = mesh.companions.size();
-    block.components = strip.roots.size();
-    block.links = strip.counts.links;
-
-    WalkRecord record;
+    std::vector<Point3> places;
     if (mesh.kind == CellKind::tet) {
-        const std::vector<Point3> places = plan_places(mesh, *plan);
+        places = plan_places(mesh, *plan);
         choose_grid(complex, places, block);
         limits.grid_side = static_cast<double>(block.grid_side);
         limits.grid_count = block.grid_count;
         limits.mirrored = block.mirrored;
-        TetEncodeDriver driver(complex, strip, places, plan->outlier, block.has_copies, block.has_flips);
-        TetWalk<TetEncodeDriver>(driver, limits).run();
-        record = driver.take();
-    } else {
-        SurfaceEncodeDriver driver(complex, strip, static_cast<Id>(mesh.point_count()), block.has_copies, block.has_flips);
-        SurfaceWalk<SurfaceEncodeDriver>(driver, limits).run();
-        record = driver.take();
     }
+    const Wound wound = choose_strip(complex, options, [&](const Strip& strip) {
+        if (mesh.kind == CellKind::tet) {
+            TetEncodeDriver driver(complex, strip, places, plan->outlier, block.has_copies,
+                                   block.has_flips);
+            TetWalk<TetEncodeDriver>(driver, limits).run();
+            return driver.take();
+        }
+        SurfaceEncodeDriver driver(complex, strip, static_cast<Id>(mesh.point_count()),
+                                   block.has_copies, block.has_flips);
+        SurfaceWalk<SurfaceEncodeDriver>(driver, limits).run();
+        return driver.take();
+    });
+    const Strip& strip = wound.strip;
+    const WalkRecord& record = wound.record;
+    block.components = strip.roots.size();
+    block.links = strip.counts.links;
 
     const Reorder order = reorder_of(mesh, complex, record);
     Encoded encoded;
@@ -212,7 +266,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         encoded.order.point = inverse_of(order.old_point, mesh.point_count());
         encoded.order.cell = inverse_of(order.old_cell, mesh.cell_count());
         encoded.order.turn.resize(order.turn.size());
-        for (Index i = 0; i < order.turn.size(); ++i) encoded.order.turn[order.old_cell[i]] = order.turn[i];
+        for (Index i = 0; i < order.turn.size(); ++i)
+            encoded.order.turn[order.old_cell[i]] = order.turn[i];
     }
 
     ByteWriter out;
@@ -223,16 +278,18 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     };
     section(SectionId::head, write_head(head_of(mesh, *plan, options)));
     section(SectionId::block, write_block_head(block, mesh.kind));
-    section(SectionId::connectivity, record.codes.finish());
-    const std::vector<Index> unused(order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points),
-                                    order.old_point.end());
+    section(SectionId::connectivity, wound.codes);
+    const std::vector<Index> unused(
+        order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
     section(SectionId::positions, write_positions(*plan, complex, record, unused));
     const std::vector<Index> new_point = inverse_of(order.old_point, mesh.point_count());
     const std::vector<Index> new_cell = inverse_of(order.old_cell, mesh.cell_count());
-    if (!mesh.companions.empty()) section(SectionId::companions, write_companions(mesh, new_point, new_cell));
+    if (!mesh.companions.empty())
+        section(SectionId::companions, write_companions(mesh, new_point, new_cell));
     if (!mesh.attributes.empty())
         section(SectionId::attributes, write_attributes(mesh, order, new_point, new_cell));
-    if (!mesh.tag_names.empty() || !mesh.notes.empty()) section(SectionId::names, write_names(mesh));
+    if (!mesh.tag_names.empty() || !mesh.notes.empty())
+        section(SectionId::names, write_names(mesh));
     if (options.keep_order) section(SectionId::order, write_order(order));
     out.u8(static_cast<std::uint8_t>(SectionId::end));
     encoded.bytes = out.take();

@@ -1,5 +1,5 @@
-// Least squares by the normal equations, at most ten unknowns; four rounds of reweighting by 1 / |error|
-// bring it near least absolute error, which is nearer to what residuals cost. O(vertices).
+// Least squares by the normal equations, at most ten unknowns; four rounds of reweighting by 1 /
+// |error| bring it near least absolute error, which is nearer to what residuals cost. O(vertices).
 #include "encode/fit.h"
 
 #include <algorithm>
@@ -42,7 +42,8 @@ double error_of(const Sample& s, const Solution& w, std::size_t n) {
 }
 
 // About what the residuals cost, in bits. On a grid only whole steps of `step` cost anything.
-double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit, double step) {
+double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit,
+               double step) {
     double bits = 0;
     for (const Sample& s : samples) {
         double e = std::abs(error_of(s, w, n));
@@ -55,7 +56,8 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<std::array<double, 3>>& values, const std::vector<bool>& skip, bool grid) {
+                    const std::vector<std::array<double, 3>>& values, const std::vector<bool>& skip,
+                    bool grid) {
     constexpr std::size_t kMostSamples = 3 * 16384;
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
@@ -71,7 +73,8 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
             const auto f = features_of<double>(
                 stencil.configuration, [&](std::size_t i) { return values[stencil.at[i]][axis]; },
                 [&](std::size_t i) { return stencil.at[i] != kNone; });
-            const double wanted = values[v][axis] * static_cast<double>(divisor_of(stencil.configuration));
+            const double wanted =
+                values[v][axis] * static_cast<double>(divisor_of(stencil.configuration));
             const Sample sample{f.feature, wanted - f.base};
             double all = sample.y;
             for (const double x : sample.x) all += x;
@@ -86,11 +89,13 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         w = preset;
         std::vector<double> sizes;
         for (const Sample& s : samples[c]) sizes.push_back(std::abs(error_of(s, preset, n)));
-        // What counts as no error: a fraction of a grid step, or of a large error where there is no grid.
+        // What counts as no error: a fraction of a grid step, or of a large error where there is no
+        // grid.
         const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
         std::nth_element(sizes.begin(), large, sizes.end());
-        const double unit = grid ? 0.25 * static_cast<double>(divisor_of(static_cast<Configuration>(c)))
-                                 : std::max(*large / 4096, 1e-300);
+        const double unit =
+            grid ? 0.25 * static_cast<double>(divisor_of(static_cast<Configuration>(c)))
+                 : std::max(*large / 4096, 1e-300);
         for (int round = 0; round < 5; ++round) {
             std::array<std::array<double, kFeatures>, kFeatures> a{};
             Solution b{};
@@ -107,11 +112,13 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         }
         Solution rounded{};
         for (std::size_t i = 0; i < n; ++i) {
-            const double scaled = std::clamp(std::nearbyint(w[i] * 4096 / 4) * 4, -32000.0, 32000.0);
+            const double scaled =
+                std::clamp(std::nearbyint(w[i] * 4096 / 4) * 4, -32000.0, 32000.0);
             rounded[i] = std::isfinite(scaled) ? scaled / 4096 : preset[i];
         }
         const double stored_bits = 16.0 * static_cast<double>(n) + 8;
-        const double step = grid ? static_cast<double>(divisor_of(static_cast<Configuration>(c))) : 0;
+        const double step =
+            grid ? static_cast<double>(divisor_of(static_cast<Configuration>(c))) : 0;
         if (cost_of(samples[c], rounded, n, unit, step) + stored_bits <
             cost_of(samples[c], preset, n, unit, step))
             for (std::size_t i = 0; i < n; ++i)

@@ -34,7 +34,8 @@ std::vector<Index> old_elements(const Mesh& mesh, const Reorder& order, Place pl
         const Index cell = order.old_cell[c];
         const auto degree = static_cast<std::uint32_t>(mesh.cell(cell).size());
         for (std::uint32_t i = 0; i < degree; ++i)
-            old.push_back(first_corner(mesh, cell) + old_corner(mesh.kind, order.turn[c], degree, i));
+            old.push_back(first_corner(mesh, cell) +
+                          old_corner(mesh.kind, order.turn[c], degree, i));
     }
     return old;
 }
@@ -46,7 +47,8 @@ bool is_pool(const Mesh& mesh, const Attribute& attribute) {
            (attribute.place != Place::mesh && element_count(mesh, attribute.place) == 0);
 }
 
-Bytes write_companions(const Mesh& mesh, const std::vector<Index>& new_point, const std::vector<Index>& new_cell) {
+Bytes write_companions(const Mesh& mesh, const std::vector<Index>& new_point,
+                       const std::vector<Index>& new_cell) {
     ByteWriter out;
     out.varint(mesh.companions.size());
     for (const CompanionBlock& block : mesh.companions) {

@@ -25,7 +25,8 @@ struct Box {
 };
 
 bool finite_point(const Array& positions, std::size_t p) {
-    return std::isfinite(value_at(positions, 3 * p)) && std::isfinite(value_at(positions, 3 * p + 1)) &&
+    return std::isfinite(value_at(positions, 3 * p)) &&
+           std::isfinite(value_at(positions, 3 * p + 1)) &&
            std::isfinite(value_at(positions, 3 * p + 2));
 }
 
@@ -47,14 +48,16 @@ Box box_of(const Array& positions, std::size_t points) {
     return box;
 }
 
-// The nearest float32 that is not below (above) x, where x has one near by; the head then stores it in half the
-// bytes. Both are at most one unit in the last place of a float32 away.
+// The nearest float32 that is not below (above) x, where x has one near by; the head then stores it
+// in half the bytes. Both are at most one unit in the last place of a float32 away.
 double float32_above(double x) {
     if (!(std::abs(x) < 1e30) || (x != 0 && std::abs(x) < 1e-30)) return x;
     const auto f = static_cast<float>(x);
     return static_cast<double>(static_cast<double>(f) >= x ? f : std::nextafter(f, INFINITY));
 }
-double float32_below(double x) { return -float32_above(-x); }
+double float32_below(double x) {
+    return -float32_above(-x);
+}
 
 // Puts every point on the grid; those that miss `bound` become outliers.
 void place_on_grid(const Array& positions, PositionPlan& plan) {
@@ -70,9 +73,10 @@ void place_on_grid(const Array& positions, PositionPlan& plan) {
             fits = std::abs(q) < static_cast<double>(kMostGrid);
             if (!fits) break;
             plan.values[p][axis] = static_cast<std::uint64_t>(static_cast<std::int64_t>(q));
-            error = std::max(error, std::abs(coordinate_of(plan.grid, axis, static_cast<std::int64_t>(q),
-                                                           positions.scalar) -
-                                             x));
+            error = std::max(error,
+                             std::abs(coordinate_of(plan.grid, axis, static_cast<std::int64_t>(q),
+                                                    positions.scalar) -
+                                      x));
         }
         fits = fits && error <= plan.bound;
         plan.outlier[p] = !fits;
@@ -80,7 +84,8 @@ void place_on_grid(const Array& positions, PositionPlan& plan) {
             plan.error = std::max(plan.error, error);
         } else {
             ++outliers;
-            for (std::size_t axis = 0; axis < 3; ++axis) plan.values[p][axis] = bits_at(positions, 3 * p + axis);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                plan.values[p][axis] = bits_at(positions, 3 * p + axis);
         }
     }
     plan.format.has_outliers = outliers > 0;
@@ -110,15 +115,17 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
     plan.values.resize(points);
     if (!options.position_bits && !options.max_error) {
         for (std::size_t p = 0; p < points; ++p)
-            for (std::size_t axis = 0; axis < 3; ++axis) plan.values[p][axis] = bits_at(positions, 3 * p + axis);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                plan.values[p][axis] = bits_at(positions, 3 * p + axis);
         return plan;
     }
     plan.format.grid = true;
     plan.outlier.assign(points, false);
     Box box = box_of(positions, points);
     // An origin of few digits, unless the mesh lies so far from zero that it would widen the box.
-    const double spare =
-        options.position_bits ? std::ldexp(box.longest, -*options.position_bits - 4) : *options.max_error / 4;
+    const double spare = options.position_bits
+                             ? std::ldexp(box.longest, -*options.position_bits - 4)
+                             : *options.max_error / 4;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double origin = float32_below(box.low[axis]);
         if (box.low[axis] - origin < spare) box.low[axis] = origin;
@@ -140,12 +147,14 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         plan.grid.step = float32_below(2 * plan.bound);
         if (longest / plan.grid.step >= static_cast<double>(kMostGrid))
             return Error{Code::bad_option, 0,
-                         "the largest error asked for is too small for a grid over this mesh; leave it out to "
+                         "the largest error asked for is too small for a grid over this mesh; "
+                         "leave it out to "
                          "store positions exactly"};
         place_on_grid(positions, plan);
         // Rounding may push points over the bound; a slightly finer grid leaves room for it.
         for (int attempt = 0; attempt < 3 && plan.format.has_outliers; ++attempt) {
-            plan.grid.step = float32_below(plan.grid.step * (1 - std::ldexp(1.0, -12 + 4 * attempt)));
+            plan.grid.step =
+                float32_below(plan.grid.step * (1 - std::ldexp(1.0, -12 + 4 * attempt)));
             place_on_grid(positions, plan);
         }
         plan.bits = static_cast<std::uint8_t>(
@@ -166,7 +175,8 @@ std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
     }
     std::vector<Point3> places(points);
     for (std::size_t p = 0; p < points; ++p)
-        if (plan.outlier.empty() || !plan.outlier[p]) places[p] = place_of(plan.format, plan.values[p]);
+        if (plan.outlier.empty() || !plan.outlier[p])
+            places[p] = place_of(plan.format, plan.values[p]);
     return places;
 }
 
@@ -182,7 +192,8 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::uint64_t bits = plan.values[p][axis];
             coordinates[v][axis] =
-                plan.format.grid ? (skip[v] ? 0 : static_cast<double>(static_cast<std::int64_t>(bits)))
+                plan.format.grid
+                    ? (skip[v] ? 0 : static_cast<double>(static_cast<std::int64_t>(bits)))
                 : plan.format.narrow
                     ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
                     : std::bit_cast<double>(bits);

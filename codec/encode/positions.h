@@ -11,14 +11,14 @@ namespace ravel {
 struct PositionPlan {
     PositionFormat format;
     Grid grid;
-    std::uint8_t bits = 0;            // of the longest side
-    std::vector<Position> values;     // grid coordinates, or bits of the floats
-    std::vector<bool> outlier;        // grid: stored bit for bit; empty where there are none
+    std::uint8_t bits = 0;         // of the longest side
+    std::vector<Position> values;  // grid coordinates, or bits of the floats
+    std::vector<bool> outlier;     // grid: stored bit for bit; empty where there are none
     double bound = 0, error = 0;
 };
 
-// Chooses the grid that the options ask for; points whose coordinates are not finite, or which a grid
-// can't bring within max_error, are outliers. Error: a grid finer than can be held.
+// Chooses the grid that the options ask for; points whose coordinates are not finite, or which a
+// grid can't bring within max_error, are outliers. Error: a grid finer than can be held.
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
 
 // Tets: places of all points, as the walk will see them; for lossless positions this chooses the

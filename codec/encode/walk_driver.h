@@ -1,5 +1,5 @@
-// The encoder's side of the walk: answers its questions from the complex and the strip, and writes the
-// answers down.
+// The encoder's side of the walk: answers its questions from the complex and the strip, and writes
+// the answers down.
 #pragma once
 
 #include <bit>
@@ -16,18 +16,18 @@ namespace ravel {
 
 // What both drivers record for the sections that follow.
 struct WalkRecord {
-    std::vector<Id> cell_of;       // cell of the walk -> cell of the complex
-    std::vector<Id> facet_of;      // walk facet (corner) -> facet (corner) of the complex
-    std::vector<Stencil> stencils; // per vertex of the walk
-    std::vector<Id> vertex_of;     // vertex of the walk -> vertex of the complex
-    std::vector<Id> copy_of;       // vertex of the walk -> earlier one at the same point, or kNone
+    std::vector<Id> cell_of;        // cell of the walk -> cell of the complex
+    std::vector<Id> facet_of;       // walk facet (corner) -> facet (corner) of the complex
+    std::vector<Stencil> stencils;  // per vertex of the walk
+    std::vector<Id> vertex_of;      // vertex of the walk -> vertex of the complex
+    std::vector<Id> copy_of;        // vertex of the walk -> earlier one at the same point, or kNone
     FlagEncoder codes;
 };
 
 class EncodeDriver {
   public:
-    EncodeDriver(const Complex& complex, const Strip& strip, Id points, Context contexts, Context copy,
-                 Context copy_number, Context flip, bool has_copies, bool has_flips)
+    EncodeDriver(const Complex& complex, const Strip& strip, Id points, Context contexts,
+                 Context copy, Context copy_number, Context flip, bool has_copies, bool has_flips)
         : complex_(complex),
           strip_(strip),
           models_(contexts),
@@ -104,11 +104,11 @@ class EncodeDriver {
     std::vector<FlagModel> models_;
     const Context copy_, copy_number_, flip_;
     const bool has_copies_, has_flips_;
-    std::vector<Id> walk_vertex_;      // complex vertex -> walk vertex
-    std::vector<Id> walk_facet_;       // complex facet -> walk facet
-    std::vector<Id> first_at_point_;   // point -> first walk vertex there
-    std::vector<Id> corners_;          // of the cell being entered, in the walk's order
-    Id cell_ = 0;                      // being entered, of the complex
+    std::vector<Id> walk_vertex_;     // complex vertex -> walk vertex
+    std::vector<Id> walk_facet_;      // complex facet -> walk facet
+    std::vector<Id> first_at_point_;  // point -> first walk vertex there
+    std::vector<Id> corners_;         // of the cell being entered, in the walk's order
+    Id cell_ = 0;                     // being entered, of the complex
     WalkRecord record_;
     std::size_t next_root_ = 0;
     Id last_copied_ = 0;
@@ -117,7 +117,8 @@ class EncodeDriver {
 
 class SurfaceEncodeDriver : public EncodeDriver {
   public:
-    SurfaceEncodeDriver(const Complex& complex, const Strip& strip, Id points, bool copies, bool flips)
+    SurfaceEncodeDriver(const Complex& complex, const Strip& strip, Id points, bool copies,
+                        bool flips)
         : EncodeDriver(complex, strip, points, surface::kContexts, surface::kCopy.base,
                        surface::kCopyOf.base, surface::kFlip.base, copies, flips) {}
 
@@ -126,12 +127,15 @@ class SurfaceEncodeDriver : public EncodeDriver {
                              : complex_.twin[record_.facet_of[gate]];
         cell_ = gate == kNone ? strip_.roots[next_root_ - 1] : complex_.cell_of[f];
         corners_.clear();
-        for (Id i = 0; i < complex_.degree(cell_); ++i, f = complex_.next_in_cell(f)) corners_.push_back(f);
+        for (Id i = 0; i < complex_.degree(cell_); ++i, f = complex_.next_in_cell(f))
+            corners_.push_back(f);
     }
     Id degree() const { return static_cast<Id>(corners_.size()); }
     bool zips(Id side) const { return visited(complex_.twin[corners_[side]]); }
     bool border(Id side) const { return complex_.twin[corners_[side]] == kNone; }
-    bool is_new(Id corner) const { return walk_vertex_[complex_.vertex[corners_[corner]]] == kNone; }
+    bool is_new(Id corner) const {
+        return walk_vertex_[complex_.vertex[corners_[corner]]] == kNone;
+    }
 
     // Turns about the corner through unvisited cells until it meets the front.
     Id gap(Id corner, bool& arrives) const {
@@ -156,8 +160,8 @@ class TetEncodeDriver : public EncodeDriver {
     // `places` and `outlier` are per point of the mesh; `outlier` is empty where there are none.
     TetEncodeDriver(const Complex& complex, const Strip& strip, const std::vector<Point3>& places,
                     const std::vector<bool>& outlier, bool copies, bool flips)
-        : EncodeDriver(complex, strip, static_cast<Id>(places.size()), tet::kContexts, tet::kCopy.base,
-                       tet::kCopyOf.base, tet::kFlip.base, copies, flips),
+        : EncodeDriver(complex, strip, static_cast<Id>(places.size()), tet::kContexts,
+                       tet::kCopy.base, tet::kCopyOf.base, tet::kFlip.base, copies, flips),
           point_places_(places),
           outlier_(outlier) {
         places_.reserve(complex.point.size());

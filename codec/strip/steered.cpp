@@ -60,6 +60,7 @@ class Walk {
         trail_.push_back(cell);
         walk_.order.push_back(cell);
         walk_.came_by.push_back(came_by);
+        walk_.entry.push_back(entry);
         for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f)
             if (complex_.twin[f] != kNone) --cells_[cell_of(complex_.twin[f])].ways;
     }
@@ -72,8 +73,7 @@ class Walk {
             exit_order(complex_, here.entry, order_);
         } else {
             order_.clear();
-            for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f)
-                order_.push_back(f);
+            for (Id f = complex_.first[cell + 1]; f-- > complex_.first[cell];) order_.push_back(f);
         }
         Id best = kNone, fewest = 0;
         for (const Id f : order_) {

@@ -15,7 +15,7 @@ struct EncodeFlags {
     bool lossless = false;
     bool float32 = false;
     bool keep_order = false;
-    double strip_budget = EncodeOptions{}.strip_budget;
+    double strip_budget = -1;  // negative: not given
     bool fast = false;
     int level = 0;  // 0: not given
 };

@@ -32,7 +32,9 @@ struct EncodeOptions {
     bool float32 = false;               // round float64 positions to float32 first
     bool keep_order = false;            // restore point and cell order, start corners, tet permutations
     FactorMethod method = FactorMethod::steered;
-    double strip_budget = 12.5;         // percent of cells a materialised strip may add
+    // Percent of cells that links may add where they save bytes; 2.5 for polygons, 12 for tets if not given.
+    // 0 takes the strip that splits fewest cells.
+    std::optional<double> strip_budget;
     int level = 19;                     // zstd's level, 1..22
 };
 
