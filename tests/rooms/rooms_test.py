@@ -29,8 +29,13 @@ PUBLIC = {
     "ravel/ravel.h": {"mesh", "strip", "encode", "decode"},
 }
 
-# Libraries: only the entropy room knows one.
-LIBRARIES = {"zstd.h": {"entropy"}, "zstd_errors.h": {"entropy"}}
+# Libraries: the entropy room packs, the graph room (the encoder's) matches.
+LIBRARIES = {
+    "zstd.h": {"entropy"},
+    "zstd_errors.h": {"entropy"},
+    "lemon/core.h": {"graph"},
+    "lemon/matching.h": {"graph"},
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # C and C++ headers have no dot and no folder.
