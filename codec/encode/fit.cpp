@@ -41,6 +41,13 @@ double error_of(const Sample& s, const Solution& w, std::size_t n) {
     return e;
 }
 
+// log2(x) for x >= 1, straight between powers of two: the same on every machine, which std::log2 is not.
+double near_log2(double x) {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return exponent - 2 + 2 * mantissa;
+}
+
 // About what the residuals cost, in bits. On a grid only whole steps of `step` cost anything.
 double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit,
                double step) {
@@ -48,7 +55,7 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
     for (const Sample& s : samples) {
         double e = std::abs(error_of(s, w, n));
         if (step > 0) e = std::nearbyint(e / step) * step;
-        bits += std::log2(1 + e / unit);
+        bits += near_log2(1 + e / unit);
     }
     return bits;
 }
