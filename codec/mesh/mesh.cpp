@@ -111,7 +111,11 @@ Status check_references(const Mesh& mesh, const Attribute& attribute, std::size_
         const std::int64_t most = scalar == Scalar::i32   ? std::int64_t{0x7FFFFFFF}
                                   : scalar == Scalar::u32 ? std::int64_t{0xFFFFFFFF}
                                                           : std::int64_t{1} << 62;
-        if (r.base < -(std::int64_t{1} << 40) || r.base > std::int64_t{1} << 40 ||
+        const bool has_sign = scalar == Scalar::i32 || scalar == Scalar::i64;
+        const std::int64_t least = !has_sign                ? 0
+                                   : scalar == Scalar::i32 ? -(std::int64_t{1} << 31)
+                                                           : -(std::int64_t{1} << 40);
+        if (r.base < least || r.base > std::int64_t{1} << 40 ||
             r.base + static_cast<std::int64_t>(count) > most)
             return bad(a, where + " is too narrow for the numbers it would need");
     }

@@ -69,7 +69,9 @@ void add_cells(Mesh& mesh, Source& in) {
     if (points == 0) return;
     for (unsigned left = in.below(120); left > 0 && !in.empty(); --left) {
         const unsigned how = in.u8();
-        std::size_t degree = mesh.kind == CellKind::tet ? 4 : std::array{4, 3, 5, 4, 6, 2, 1, 0, 8, 19}[how % 10];
+        std::size_t degree = 4;
+        if (mesh.kind == CellKind::polygon)
+            degree = std::array<std::size_t, 10>{4, 3, 5, 4, 6, 2, 1, 0, 8, 19}[how % 10];
         std::vector<Index> cell;
         const Index cells = mesh.cell_count();
         if (cells > 0 && how >= 64) {
@@ -127,9 +129,11 @@ void add_attributes(Mesh& mesh, Source& in) {
             for (Index i = 0; i < elements; ++i)
                 a.index.push_back(tuples == 0 || in.u8() % 5 == 0 ? kNoIndex
                                                                   : in.below(static_cast<unsigned>(tuples)));
-        if (!is_float(scalar) && size_of(scalar) >= 4 && in.u8() % 3 == 0)
+        if (!is_float(scalar) && size_of(scalar) >= 4 && in.u8() % 3 == 0) {
+            const bool has_sign = scalar == Scalar::i32 || scalar == Scalar::i64;
             a.references.push_back({in.below(arity), in.u8() % 2 == 0 ? Place::point : Place::cell,
-                                    static_cast<std::int64_t>(in.below(5)) - 2});
+                                    static_cast<std::int64_t>(in.below(5)) - (has_sign ? 2 : 0)});
+        }
         mesh.attributes.push_back(std::move(a));
     }
     if (in.u8() % 4 == 0) mesh.tag_names.push_back({"b", static_cast<int>(in.below(5)) - 1, -7, "wall"});

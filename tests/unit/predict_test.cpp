@@ -1,0 +1,180 @@
+#include <catch2/catch.hpp>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "predict/array_planes.h"
+#include "predict/float_image.h"
+#include "predict/grid.h"
+#include "predict/position_codes.h"
+#include "predict/predictor.h"
+
+using namespace ravel;
+
+namespace {
+
+using Limits = std::numeric_limits<double>;
+
+std::vector<double> ascending_doubles() {
+    return {-Limits::infinity(), -Limits::max(), -1e300, -1.5, -1, -Limits::min(), -Limits::denorm_min(), -0.0,
+            0.0, Limits::denorm_min(), Limits::min(), 1, std::nextafter(1.0, 2.0), 1.5, 1e300, Limits::max(),
+            Limits::infinity()};
+}
+
+// A coder that remembers: what is written is read back in order.
+struct Tape {
+    std::vector<std::uint64_t> tape;
+    std::size_t at = 0;
+    bool reading = false;
+    bool flag(Context, bool truth) { return plain(truth, 1) != 0; }
+    std::uint64_t plain(std::uint64_t truth, int) {
+        if (reading) return tape.at(at++);
+        tape.push_back(truth);
+        return truth;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the image of a float64 keeps the order of numbers") {
+    const auto numbers = ascending_doubles();
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+        CHECK(image_of(std::bit_cast<std::uint64_t>(numbers[i - 1])) <
+              image_of(std::bit_cast<std::uint64_t>(numbers[i])));
+}
+
+TEST_CASE("the image of a float32 keeps the order of numbers and stays within 32 bits") {
+    std::uint64_t last = 0;
+    for (const double x : ascending_doubles()) {
+        if (std::isfinite(x) && std::abs(x) > 3e38) continue;
+        const auto f = static_cast<float>(x);
+        if (static_cast<double>(f) != x) continue;
+        const std::uint64_t image = image_of(std::bit_cast<std::uint32_t>(f));
+        CHECK(image > last);
+        CHECK(image <= 0xFFFFFFFFu);
+        last = image;
+    }
+}
+
+TEST_CASE("images are one to one on bit patterns, NaNs and all") {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 100000; ++i) {
+        const std::uint64_t wide = random();
+        const auto narrow = static_cast<std::uint32_t>(wide);
+        REQUIRE(bits64_of(image_of(wide)) == wide);
+        REQUIRE(image_of(bits64_of(wide)) == wide);
+        REQUIRE(bits32_of(image_of(narrow)) == narrow);
+        REQUIRE(image_of(bits32_of(narrow)) == narrow);
+    }
+}
+
+TEST_CASE("wrapped differences lead back") {
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 10000; ++i) {
+        const std::uint64_t a = random(), b = random();
+        REQUIRE(b + static_cast<std::uint64_t>(wrapped_difference(a, b, false)) == a);
+        const std::uint64_t x = a & 0xFFFFFFFFu, y = b & 0xFFFFFFFFu;
+        const std::int64_t d = wrapped_difference(x, y, true);
+        REQUIRE(d >= -(std::int64_t{1} << 31));
+        REQUIRE(d < std::int64_t{1} << 31);
+        REQUIRE(static_cast<std::uint32_t>(y + static_cast<std::uint64_t>(d)) == x);
+    }
+}
+
+TEST_CASE("planes come back for every scalar and arity") {
+    std::mt19937 random(3);
+    for (unsigned s = 0; s <= static_cast<unsigned>(Scalar::f64); ++s)
+        for (const std::uint32_t arity : {1u, 2u, 3u, 7u, 65535u})
+            for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{arity < 10 ? 50u : 2u}}) {
+                Array array = make_array(static_cast<Scalar>(s), arity, count);
+                for (std::byte& b : array.bytes) b = static_cast<std::byte>(random());
+                const Bytes planes = planes_of(array);
+                REQUIRE(planes.size() == array.bytes.size());
+                const Array again = array_of_planes(array.scalar, arity, planes);
+                CHECK(again.scalar == array.scalar);
+                CHECK(again.arity == arity);
+                CHECK(again.bytes == array.bytes);
+            }
+}
+
+TEST_CASE("planes of a slow ramp are small numbers first and zeros after") {
+    Array array = make_array(Scalar::i32, 1, 1000);
+    for (int i = 0; i < 1000; ++i) array.as<std::int32_t>()[static_cast<std::size_t>(i)] = i * 3 - 500;
+    const Bytes planes = planes_of(array);
+    for (std::size_t i = 1; i < 1000; ++i) CHECK(planes[i] == std::byte{6});
+    for (std::size_t i = 2001; i < planes.size(); ++i) CHECK(planes[i] == std::byte{0});
+}
+
+TEST_CASE("a guess rounds to nearest, halves up, also below zero") {
+    Weights weights{};
+    const auto triangle = static_cast<std::size_t>(Configuration::triangle);
+    for (std::int64_t t = -40; t <= 40; ++t) {
+        weights[triangle][0] = 2048;  // a half
+        Features<std::int64_t> f;
+        f.feature[0] = t;
+        CHECK(guess(Configuration::triangle, f, weights) == static_cast<std::int64_t>(std::floor(double(t) / 2 + 0.5)));
+        const auto tet = static_cast<std::size_t>(Configuration::tet);
+        weights[tet][0] = 4096;
+        CHECK(guess(Configuration::tet, f, weights) == static_cast<std::int64_t>(std::floor(double(t) / 3 + 0.5)));
+    }
+}
+
+TEST_CASE("guesses from the farthest grid coordinates with the largest weights do not overflow") {
+    Weights weights;
+    for (const std::int16_t w : {std::int16_t{32767}, std::int16_t{-32768}}) {
+        for (auto& row : weights) row.fill(w);
+        for (std::size_t c = 0; c < kConfigurations; ++c)
+            for (unsigned signs = 0; signs < 1u << kStencilSize; ++signs) {
+                const auto f = features_of<std::int64_t>(
+                    static_cast<Configuration>(c),
+                    [&](std::size_t i) { return signs >> i & 1 ? kMostGrid : -kMostGrid; },
+                    [](std::size_t) { return true; });
+                const std::int64_t g = guess(static_cast<Configuration>(c), f, weights);
+                CHECK(std::abs(static_cast<double>(g)) < 0x1p55);
+            }
+    }
+}
+
+TEST_CASE("residuals of every size come back") {
+    std::vector<std::int64_t> residuals{0, std::numeric_limits<std::int64_t>::min(),
+                                        std::numeric_limits<std::int64_t>::max()};
+    for (int bit = 0; bit < 63; ++bit)
+        for (const std::int64_t d : {-1, 0, 1}) {
+            residuals.push_back((std::int64_t{1} << bit) + d);
+            residuals.push_back(-(std::int64_t{1} << bit) + d);
+        }
+    Tape coder;
+    std::uint32_t size = 0;
+    for (const std::int64_t r : residuals) code_residual(coder, 0, r, size);
+    coder.reading = true;
+    for (const std::int64_t r : residuals) {
+        CHECK(code_residual(coder, 0, 0, size) == r);
+        CHECK(size == static_cast<std::uint32_t>(std::bit_width(magnitude(r))));
+    }
+    CHECK(coder.at == coder.tape.size());
+}
+
+TEST_CASE("grid coordinates are origin and steps, rounded to the mesh's floats") {
+    const Grid grid{{0.1, -5, 0}, 0.25};
+    CHECK(coordinate_of(grid, 1, 4, Scalar::f64) == -4);
+    CHECK(coordinate_of(grid, 0, 0, Scalar::f32) == static_cast<double>(0.1f));
+    CHECK(coordinate_of(grid, 0, 0, Scalar::f64) == 0.1);
+}
+
+TEST_CASE("places of any floats are integers within the grid of places") {
+    PositionFormat format;
+    format.narrow = false;
+    for (const double scale : {1.0, 0x1p16, 1e300, 1e-300, Limits::quiet_NaN(), -1.0})
+        for (const double x : ascending_doubles()) {
+            format.place_scale = scale;
+            const auto bits = std::bit_cast<std::uint64_t>(x);
+            for (const double p : place_of(format, {bits, bits, bits})) {
+                CHECK(p >= 0);
+                CHECK(p <= 0x1p20);
+                CHECK(p == std::floor(p));
+            }
+        }
+}
