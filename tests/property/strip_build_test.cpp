@@ -104,7 +104,7 @@ TEST_CASE("large meshes full of holes get one strip per component, too") {
           test::with_holes(test::tet_box(12, 12, 12), 20, 2),
           test::with_holes(test::honeycomb(60, 60), 30, 3), test::triangle_fan(5000)}) {
         const Complex complex = complex_of(mesh);
-        for (const StripEffort effort : {StripEffort{0}, StripEffort{3}, StripEffort{}})
-            CHECK(check_strip(complex, build_strip(complex, FactorMethod::steered, effort)).ok());
+        for (const StripOptions options : {StripOptions{0}, StripOptions{3}, StripOptions{}})
+            CHECK(check_strip(complex, build_strip(complex, FactorMethod::steered, options)).ok());
     }
 }

@@ -1,0 +1,143 @@
+// Each error code for what it is meant for.
+#include "malformed/victims.h"
+
+#include "base/checksum.h"
+#include "container/sections.h"
+#include "entropy/pack.h"
+
+using namespace ravel;
+using test::code_of;
+
+TEST_CASE("nothing, other files and text are no ravel files") {
+    CHECK(code_of({}) == Code::not_a_ravel_file);
+    CHECK(code_of(Bytes(1000, std::byte{0})) == Code::not_a_ravel_file);
+    Bytes bytes = test::victim("tiny:cube").file;
+    bytes[0] ^= std::byte{1};
+    CHECK(code_of(bytes) == Code::not_a_ravel_file);
+}
+
+TEST_CASE("another version is unsupported, and the error says which") {
+    Bytes bytes = test::victim("tiny:cube").file;
+    bytes[4] = std::byte{77};
+    CHECK(code_of(bytes) == Code::unsupported_version);
+    CHECK(decode(bytes).error().detail.find("77") != std::string::npos);
+}
+
+TEST_CASE("a file without its last byte is truncated, at the place where it ends") {
+    Bytes bytes = test::victim("tiny:cube").file;
+    bytes.pop_back();
+    const auto decoded = decode(bytes);
+    REQUIRE_FALSE(decoded.ok());
+    CHECK(decoded.error().code == Code::truncated);
+    CHECK(decoded.error().at == bytes.size());
+}
+
+TEST_CASE("a damaged section is a checksum mismatch, and the error names it") {
+    const Bytes file = test::victim("tiny:cube").file;
+    Bytes bad = file;
+    bad[bad.size() - 2] ^= std::byte{4};
+    CHECK(code_of(bad) == Code::checksum_mismatch);
+    CHECK(decode(bad).error().detail.find("names") != std::string::npos);
+    // Headers can still be read.
+    CHECK(inspect(bad).ok());
+}
+
+TEST_CASE("decode refuses bytes after the last section") {
+    Bytes bytes = test::victim("tiny:cube").file;
+    bytes.push_back(std::byte{0});
+    CHECK(code_of(bytes) == Code::corrupt);
+    CHECK_FALSE(inspect(bytes).ok());
+}
+
+TEST_CASE("a section of an unknown kind is corrupt") {
+    Bytes bytes = test::victim("tiny:cube").file;
+    bytes.back() = std::byte{kLastSection + 1};
+    CHECK(code_of(bytes) == Code::corrupt);
+}
+
+TEST_CASE("a mesh larger than the limit is refused as such") {
+    DecodeOptions options;
+    options.memory_limit = 1000;
+    CHECK(code_of(test::victim("torus:size=12x12").file, options) == Code::limit_exceeded);
+    options.memory_limit = 0;
+    CHECK(code_of(test::victim("tiny:empty").file, options) == Code::limit_exceeded);
+}
+
+TEST_CASE("a packed section that says it holds too much, too little or nothing is refused") {
+    const auto v = test::victim("torus:size=12x12");
+    const auto parts = *test::take_apart(v.file);
+    for (const SectionId id : {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
+        for (const std::uint64_t claim : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 33, ~std::uint64_t{0}}) {
+            ByteWriter out;
+            out.raw(kMagic);
+            out.u8(kVersion);
+            for (const auto& part : parts) {
+                if (part.id != id) {
+                    write_section(out, part.id, part.raw, {});
+                    continue;
+                }
+                const Bytes packed = pack(part.raw, 3);
+                out.u8(static_cast<std::uint8_t>(id));
+                out.varint(std::uint64_t{packed.size()} << 1 | 1);
+                out.varint(claim);
+                out.u32(crc32c(packed));
+                out.raw(packed);
+            }
+            out.u8(0);
+            INFO(name_of(id) << " claims " << claim);
+            const Code code = code_of(out.bytes());
+            CHECK((code == Code::corrupt || code == Code::limit_exceeded));
+        }
+}
+
+TEST_CASE("the size of a section can't wrap around") {
+    for (const std::uint64_t size : {~std::uint64_t{0}, ~std::uint64_t{0} - 1, std::uint64_t{1} << 63}) {
+        ByteWriter out;
+        out.raw(kMagic);
+        out.u8(kVersion);
+        out.u8(1);
+        out.varint(size);
+        out.varint(3);
+        out.u32(0);
+        out.u32(0);
+        CHECK(code_of(out.bytes()) == Code::truncated);
+    }
+}
+
+TEST_CASE("heads and sections that contradict each other are corrupt") {
+    const auto v = test::victim("tets:box=2x1x1,attributes,companions");
+    CHECK(code_of(test::with_head(v.file, [](Head& h) { h.keeps_order = true; })) == Code::corrupt);
+    CHECK(code_of(test::with_head(v.file, [](Head& h) { h.attributes.clear(); })) == Code::corrupt);
+    CHECK(code_of(test::with_block_head(v.file, v.kind, [](BlockHead& b) { b.companions = 0; })) == Code::corrupt);
+    CHECK(code_of(test::with_block_head(v.file, v.kind, [](BlockHead& b) { b.companions = 9; })) == Code::corrupt);
+}
+
+TEST_CASE("counts that the walk does not confirm are corrupt") {
+    const auto v = test::victim("torus:size=6x4");
+    const auto with = [&](auto change) { return code_of(test::with_block_head(v.file, v.kind, change)); };
+    CHECK(with([](BlockHead& b) { ++b.components; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { ++b.links; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { ++b.unused_points; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { ++b.cells, b.corners += 4; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { --b.cells, b.corners -= 4; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { ++b.vertices, ++b.points; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { --b.vertices, --b.points; }) == Code::corrupt);
+}
+
+TEST_CASE("an order that is no permutation is corrupt") {
+    EncodeOptions options;
+    options.keep_order = true;
+    const auto v = test::victim("grid:size=3x3", options);
+    for (const int byte : {0, 1, 2, 255})
+        CHECK(code_of(test::with_section(v.file, SectionId::order, [&](Bytes& raw) {
+                  std::fill(raw.begin(), raw.end(), static_cast<std::byte>(byte));
+              })) == Code::corrupt);
+}
+
+TEST_CASE("references that no mesh may have are corrupt") {
+    const auto v = test::victim("tets:box=2x1x1,attributes,companions");
+    for (const std::int64_t base : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1} << 62})
+        CHECK(code_of(test::with_head(v.file, [&](Head& h) {
+                  h.attributes[0].references = {{0, Place::point, base}};  // of a float attribute
+              })) == Code::corrupt);
+}

@@ -1,0 +1,50 @@
+// Small files of every kind, to be damaged.
+#pragma once
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+#include "make/make_mesh.h"
+#include "support/file_parts.h"
+
+namespace ravel::test {
+
+struct Victim {
+    std::string name;
+    CellKind kind = CellKind::polygon;
+    Bytes file;
+};
+
+inline Victim victim(const std::string& recipe, const EncodeOptions& options = {}) {
+    Result<Mesh> mesh = make::make_mesh(recipe);
+    REQUIRE(mesh.ok());
+    mesh->notes.push_back({"key", "text"});
+    Result<Encoded> packed = encode(*mesh, options);
+    REQUIRE(packed.ok());
+    return {recipe, mesh->kind, std::move(packed->bytes)};
+}
+
+inline std::vector<Victim> victims() {
+    std::vector<Victim> all;
+    EncodeOptions grid, ordered;
+    grid.position_bits = 9;
+    ordered.keep_order = true;
+    ordered.max_error = 0.01;
+    for (const char* recipe :
+         {"tiny:empty", "tiny:quad", "tiny:degrees-0-1-2", "tiny:pinch", "torus:size=6x4",
+          "polygons:mixed,size=4x4,attributes", "soup:polygons=12,seed=3,attributes", "tiny:tets-on-one-face",
+          "tets:box=2x1x1,attributes,companions", "soup:tets=12,seed=4"})
+        for (const EncodeOptions& options : {EncodeOptions{}, grid, ordered}) all.push_back(victim(recipe, options));
+    return all;
+}
+
+inline Code code_of(const Bytes& file, const DecodeOptions& options = {}) {
+    const auto decoded = decode(file, options);
+    REQUIRE_FALSE(decoded.ok());
+    CHECK_FALSE(decoded.error().detail.empty());
+    return decoded.error().code;
+}
+
+}  // namespace ravel::test
