@@ -1,16 +1,20 @@
-// Dual graph -> 2-matching (steered walk or Euler tour) -> maximum by alternating walks -> surplus
-// paths closed -> strips merged around fans, then by longer rings -> tree of links.
-// Cost: near-linear; about 1 s per million cells.
+// Dual graph -> 2-matching (steered walk, Euler tour, two matchings or one in the inflated graph) ->
+// maximum by alternating walks -> surplus paths closed -> strips merged around fans, then by longer
+// rings -> tree of links.
+// Cost: near-linear; about 1 s per million cells, and that of the matchings.
 #include "strip/build.h"
 
 #include <utility>
 
 #include "graph/augment.h"
 #include "graph/close.h"
+#include "graph/complement.h"
 #include "graph/cut.h"
 #include "graph/cycles.h"
 #include "graph/euler.h"
 #include "graph/rings.h"
+#include "graph/template_factor.h"
+#include "graph/two_pass.h"
 #include "strip/dual.h"
 #include "strip/links.h"
 #include "strip/merge.h"
@@ -25,29 +29,46 @@ namespace {
 constexpr Id kPolygonLookAhead = 1;
 constexpr Id kTetLookAhead = 2;
 
+// The 2-matching as the method finds it, before anything is mended that is not the method's own.
+EdgeSet find_factor(const Dual& dual, const Steered& walk, FactorMethod method, Reading reading) {
+    const Graph& graph = dual.graph;
+    EdgeSet set;
+    switch (method) {
+        case FactorMethod::steered: return augment(graph, paths_of(walk, dual));
+        case FactorMethod::euler: return augment(graph, euler_matching(graph));
+        case FactorMethod::two_pass: set = two_pass(graph).set; break;
+        case FactorMethod::template_substitution: set = template_factor(graph).set; break;
+    }
+    return reading == Reading::unmatched ? complement_matching(graph, set) : set;
+}
+
+void count_shapes(const Graph& graph, const EdgeSet& set, StripCounts& counts) {
+    for (const StripShape shape : list_strips(graph, set).shape) {
+        counts.cycles += shape == StripShape::cycle;
+        counts.paths += shape == StripShape::path;
+        counts.singletons += shape == StripShape::singleton;
+    }
+}
+
 }  // namespace
 
-Strip build_strip(const Complex& complex, FactorMethod method, const StripEffort& effort) {
-    SteerOptions options;
-    options.look_ahead = complex.kind == CellKind::tet ? kTetLookAhead : kPolygonLookAhead;
-    const Steered walk = steer(complex, options);
+Strip build_strip(const Complex& complex, FactorMethod method, const StripOptions& options) {
+    SteerOptions steering;
+    steering.look_ahead = complex.kind == CellKind::tet ? kTetLookAhead : kPolygonLookAhead;
+    steering.weights = options.weights;
+    const Steered walk = steer(complex, steering);
     const Dual dual = make_dual(complex, walk.order);
     const Graph& graph = dual.graph;
-    EdgeSet set = augment(graph, method == FactorMethod::euler ? euler_matching(graph)
-                                                               : paths_of(walk, dual));
+    EdgeSet set = find_factor(dual, walk, method, options.reading);
     StripCounts factor;
-    {
-        const StripList strips = list_strips(graph, set);
-        for (const StripShape shape : strips.shape) {
-            factor.cycles += shape == StripShape::cycle;
-            factor.paths += shape == StripShape::path;
-            factor.singletons += shape == StripShape::singleton;
-        }
-    }
+    count_shapes(graph, set, factor);
+    // A maximum has been reached already, but for these.
+    if (method == FactorMethod::two_pass || options.reading == Reading::unmatched)
+        set = augment(graph, std::move(set));
     set = cut_paths(graph, extend_paths(graph, close_paths(graph, std::move(set))));
     Merged merged = merge_fans(complex, dual, std::move(set));
     RingLimits rings;
-    rings.edges_in = effort.ring_edges;
+    rings.edges_in = options.ring_edges;
     RingMerge whole = merge_rings(graph, std::move(merged.set), rings);
     Strip strip = link_strips(complex, dual, whole.set);
     strip.counts.cycles = factor.cycles;

@@ -55,6 +55,10 @@ class Walk {
         return complex_.kind == CellKind::tet ? facet / 4 : complex_.cell_of[facet];
     }
 
+    std::uint32_t weight(Id facet) const {
+        return options_.weights.empty() ? 0 : options_.weights[facet];
+    }
+
     void visit(Id cell, Id entry, Id came_by) {
         cells_[cell].entry = entry;
         trail_.push_back(cell);
@@ -82,7 +86,8 @@ class Walk {
             const Cell& there = cells_[cell_of(g)];
             if (there.entry != kUnvisited) continue;
             const Id ways = std::min(there.ways, options_.look_ahead);
-            if (best != kNone && ways >= fewest) continue;
+            if (best != kNone && (ways > fewest || (ways == fewest && weight(f) >= weight(best))))
+                continue;
             best = f;
             fewest = ways;
         }

@@ -1,6 +1,8 @@
 // Long paths over the mesh that turn as the decoder expects.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "strip/dual.h"
@@ -9,6 +11,8 @@ namespace ravel {
 
 struct SteerOptions {
     Id look_ahead = 1;  // neighbours with fewer ways on than this go before the rule's choice
+    // Per facet: the lightest goes first, the rule decides between equals. Empty: all equal.
+    std::span<const std::uint32_t> weights = {};
 };
 
 // The cells in the order of the walk, and the facet by which the path came to each: kNone where a

@@ -23,7 +23,7 @@
 
 namespace ravel {
 
-enum class FactorMethod : std::uint8_t { steered, euler };
+enum class FactorMethod : std::uint8_t { steered, euler, two_pass, template_substitution };
 
 struct EncodeOptions {
     // Positions: exact unless one of these is given. They exclude each other.
