@@ -31,7 +31,7 @@ inline std::vector<Victim> victims() {
     EncodeOptions grid, ordered;
     grid.position_bits = 9;
     ordered.keep_order = true;
-    ordered.max_error = 0.01;
+    ordered.position_bits = 20;
     for (const char* recipe :
          {"tiny:empty", "tiny:quad", "tiny:degrees-0-1-2", "tiny:pinch", "torus:size=6x4",
           "polygons:mixed,size=4x4,attributes", "soup:polygons=12,seed=3,attributes", "tiny:tets-on-one-face",
