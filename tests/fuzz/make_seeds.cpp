@@ -18,7 +18,7 @@ std::vector<ravel::EncodeOptions> option_rows() {
     std::vector<ravel::EncodeOptions> rows(4);
     rows[1].position_bits = 10;
     rows[2].keep_order = true;
-    rows[3].max_error = 0.01;
+    rows[3].position_bits = 20;
     rows[3].strip_budget = 0;
     return rows;
 }
