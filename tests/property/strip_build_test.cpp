@@ -1,11 +1,17 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <set>
 
+#include "graph/matching.h"
+#include "graph/template_factor.h"
+#include "graph/two_pass.h"
 #include "mesh/complex.h"
 #include "mesh/exit_rule.h"
 #include "strip/build.h"
 #include "strip/check.h"
+#include "strip/dual.h"
 #include "support/small_meshes.h"
 
 using namespace ravel;
@@ -18,30 +24,113 @@ Complex complex_of(const Mesh& mesh) {
     return *complex;
 }
 
+constexpr std::array kMethods{FactorMethod::steered, FactorMethod::euler, FactorMethod::two_pass,
+                              FactorMethod::template_substitution};
+
+bool has_two_factor(const StripCounts& counts) { return counts.paths + counts.singletons == 0; }
+
+// Weights that have nothing to do with the mesh, equal on twins.
+std::vector<std::uint32_t> arbitrary_weights(const Complex& complex) {
+    std::vector<std::uint32_t> weights(complex.twin.size());
+    for (Id f = 0; f < weights.size(); ++f) {
+        const Id least = complex.twin[f] == kNone ? f : std::min(f, complex.twin[f]);
+        weights[f] = least * 2654435761u >> 28;
+    }
+    return weights;
+}
+
 }  // namespace
 
-TEST_CASE("every mesh gets exactly one strip per component, by either method") {
+TEST_CASE("every mesh gets exactly one strip per component, by each method") {
     for (const auto& [name, mesh, clean] : test::small_meshes()) {
         INFO(name);
         const Complex complex = complex_of(mesh);
-        for (const FactorMethod method : {FactorMethod::steered, FactorMethod::euler}) {
-            const Strip strip = build_strip(complex, method);
-            const Status status = check_strip(complex, strip);
-            INFO((status.ok() ? "" : status.error().detail));
-            CHECK(status.ok());
-            CHECK(strip.counts.strips == strip.counts.components);
-            CHECK(strip.roots.size() == strip.counts.components);
+        for (const FactorMethod method : kMethods) {
+            for (const Reading reading : {Reading::matched, Reading::unmatched}) {
+                const Strip strip = build_strip(complex, method, {6, reading});
+                const Status status = check_strip(complex, strip);
+                INFO((status.ok() ? "" : status.error().detail));
+                CHECK(status.ok());
+                CHECK(strip.counts.strips == strip.counts.components);
+                CHECK(strip.roots.size() == strip.counts.components);
+            }
         }
     }
+}
+
+TEST_CASE("the strips are a 2-factor wherever the matching proves that there is one") {
+    for (const auto& [name, mesh, clean] : test::small_meshes()) {
+        INFO(name);
+        const Complex complex = complex_of(mesh);
+        const Graph graph = make_dual(complex).graph;
+        const Graph inflated = inflate(graph);
+        const Matching matching = max_matching(inflated);
+        REQUIRE(proves_maximum(inflated, matching));
+        const bool exists = template_factor(graph, matching).two_factor;
+        const auto found = [&](FactorMethod method) {
+            return has_two_factor(build_strip(complex, method).counts);
+        };
+        CHECK(found(FactorMethod::template_substitution) == exists);
+        CHECK(found(FactorMethod::two_pass) == two_pass(graph).two_factor());
+        CHECK(found(FactorMethod::steered) == exists);
+        CHECK(found(FactorMethod::euler) == exists);
+    }
+}
+
+TEST_CASE("a mesh with an odd number of quads gets a 2-factor, but not by two-pass") {
+    for (const Mesh& mesh : {test::quad_torus(3, 3), test::quad_torus(9, 7)}) {
+        const Complex complex = complex_of(mesh);
+        CHECK_FALSE(has_two_factor(build_strip(complex, FactorMethod::two_pass).counts));
+        for (const FactorMethod method :
+             {FactorMethod::steered, FactorMethod::euler, FactorMethod::template_substitution})
+            CHECK(has_two_factor(build_strip(complex, method).counts));
+        for (const FactorMethod method : kMethods) {
+            const Strip strip = build_strip(complex, method);
+            CHECK(check_strip(complex, strip).ok());
+            CHECK(strip.counts.links == 0);
+            CHECK(strip.counts.open_strips == 0);
+        }
+    }
+}
+
+TEST_CASE("whatever the weights, the strip is one, and equal weights change nothing") {
+    for (const auto& [name, mesh, clean] : test::small_meshes()) {
+        INFO(name);
+        const Complex complex = complex_of(mesh);
+        const std::vector<std::uint32_t> some = arbitrary_weights(complex);
+        StripOptions options;
+        options.weights = some;
+        CHECK(check_strip(complex, build_strip(complex, FactorMethod::steered, options)).ok());
+        const std::vector<std::uint32_t> equal(complex.twin.size(), 7);
+        options.weights = equal;
+        CHECK(build_strip(complex, FactorMethod::steered, options).role ==
+              build_strip(complex).role);
+    }
+}
+
+TEST_CASE("steps across light facets alone make straight strips") {
+    // Sides 0 and 2 of every quad lead along the columns of the torus.
+    const Complex complex = complex_of(test::quad_torus(12, 10));
+    std::vector<std::uint32_t> weights(complex.twin.size());
+    for (Id f = 0; f < weights.size(); ++f) weights[f] = f % 2;
+    StripOptions options;
+    options.weights = weights;
+    const Strip strip = build_strip(complex, FactorMethod::steered, options);
+    Id light = 0, heavy = 0;
+    for (Id f = 0; f < weights.size(); ++f)
+        if (strip.role[f] == FacetRole::strip) ++(weights[f] == 0 ? light : heavy);
+    CHECK(light > 4 * heavy);
 }
 
 TEST_CASE("the same complex gives the same strip") {
     for (const auto& [name, mesh, clean] : test::small_meshes()) {
         INFO(name);
         const Complex complex = complex_of(mesh);
-        const Strip a = build_strip(complex), b = build_strip(complex);
-        CHECK(a.role == b.role);
-        CHECK(a.roots == b.roots);
+        for (const FactorMethod method : kMethods) {
+            const Strip a = build_strip(complex, method), b = build_strip(complex, method);
+            CHECK(a.role == b.role);
+            CHECK(a.roots == b.roots);
+        }
     }
 }
 

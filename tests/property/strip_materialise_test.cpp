@@ -58,6 +58,8 @@ Strip singletons_only(const Complex& complex) {
 
 std::vector<Strip> strips_of(const Complex& complex) {
     return {build_strip(complex), build_strip(complex, FactorMethod::euler),
+            build_strip(complex, FactorMethod::two_pass, {0}),
+            build_strip(complex, FactorMethod::template_substitution, {0, Reading::unmatched}),
             singletons_only(complex)};
 }
 
