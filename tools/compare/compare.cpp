@@ -10,7 +10,7 @@ namespace ravel::compare {
 namespace {
 
 std::vector<Contender> all_contenders() {
-    return {ours(), draco_triangles(), draco_polygons(), raw_zstd(), raw_xz(), delta_xz()};
+    return {ours(), draco_triangles(), draco_polygons(), raw_zstd(), raw_xz(), grid_xz(), delta_xz()};
 }
 
 template <class F>

@@ -50,6 +50,7 @@ Contender draco_triangles();
 Contender draco_polygons();
 Contender raw_zstd();
 Contender raw_xz();
+Contender grid_xz();
 Contender delta_xz();
 
 // "quads" or "tets": everything came back as it was. (The contract says quads for polygons of any degree.)

@@ -1,4 +1,5 @@
-// General compressors on raw arrays: zstd -19, xz -9, and xz on byte planes of differences.
+// General compressors: zstd -19 and xz -9 on the raw arrays, and xz -9 on grid numbers and on byte planes
+// of their differences.
 #include "compare/raw.h"
 
 #include <lzma.h>
@@ -56,9 +57,10 @@ Result<std::vector<std::byte>> unpack_xz(std::span<const std::byte> packed, std:
     return raw;
 }
 
+template <Layout layout>
 std::string refuses(const Input& input) {
     if (input.mesh.point_count() > 0xffffffffu) return "more points than 32 bits count";
-    if (input.grid && !all_finite(input.mesh)) return "positions that are no numbers have no place on a grid";
+    if (layout != Layout::raw && input.grid && !all_finite(input.mesh)) return "positions that are no numbers have no place on a grid";
     return {};
 }
 
@@ -69,7 +71,7 @@ Packed with_bytes(std::vector<std::byte> bytes) {
 }
 
 Result<Packed> encode_zstd(const Input& input) {
-    auto bytes = pack_zstd(arrays_of(input, Layout::plain));
+    auto bytes = pack_zstd(arrays_of(input, Layout::raw));
     if (!bytes) return bytes.error();
     return with_bytes(std::move(*bytes));
 }
@@ -84,16 +86,17 @@ Result<Packed> encode_xz(const Input& input) {
 Result<Mesh> decode_zstd(std::span<const std::byte> bytes, const Input& input) {
     auto raw = unpack_zstd(bytes);
     if (!raw) return raw.error();
-    return mesh_of_arrays(*raw, input, Layout::plain);
+    return mesh_of_arrays(*raw, input, Layout::raw);
 }
 
 template <Layout layout>
 Result<Mesh> decode_xz(std::span<const std::byte> bytes, const Input& input) {
-    auto raw = unpack_xz(bytes, arrays_size(input));
+    auto raw = unpack_xz(bytes, arrays_size(input, layout));
     if (!raw) return raw.error();
     return mesh_of_arrays(*raw, input, layout);
 }
 
+template <Layout layout>
 Verdict check_raw(const Input& input, const Packed&, const Mesh& decoded) {
     Verdict verdict;
     const Mesh& mesh = input.mesh;
@@ -103,7 +106,7 @@ Verdict check_raw(const Input& input, const Packed&, const Mesh& decoded) {
         return verdict;
     }
     verdict.connectivity_kept = kept_word(mesh.kind);
-    if (!input.grid) {
+    if (!input.grid || layout == Layout::raw) {
         if (mesh.positions.bytes != decoded.positions.bytes) verdict.note = "positions differ";
         return verdict;
     }
@@ -117,14 +120,20 @@ Verdict check_raw(const Input& input, const Packed&, const Mesh& decoded) {
 }  // namespace
 
 Contender raw_zstd() {
-    return {"zstd", "-19, raw arrays", refuses, encode_zstd, decode_zstd, check_raw};
+    return {"zstd", "-19, raw arrays, exact positions", refuses<Layout::raw>, encode_zstd, decode_zstd,
+            check_raw<Layout::raw>};
 }
 Contender raw_xz() {
-    return {"xz", "-9, raw arrays", refuses, encode_xz<Layout::plain>, decode_xz<Layout::plain>, check_raw};
+    return {"xz", "-9, raw arrays, exact positions", refuses<Layout::raw>, encode_xz<Layout::raw>,
+            decode_xz<Layout::raw>, check_raw<Layout::raw>};
+}
+Contender grid_xz() {
+    return {"xz-grid", "-9, arrays with positions on the grid", refuses<Layout::plain>,
+            encode_xz<Layout::plain>, decode_xz<Layout::plain>, check_raw<Layout::plain>};
 }
 Contender delta_xz() {
-    return {"delta-xz", "-9, byte planes of differences", refuses, encode_xz<Layout::planes>,
-            decode_xz<Layout::planes>, check_raw};
+    return {"delta-xz", "-9, byte planes of differences", refuses<Layout::planes>,
+            encode_xz<Layout::planes>, decode_xz<Layout::planes>, check_raw<Layout::planes>};
 }
 
 }  // namespace ravel::compare

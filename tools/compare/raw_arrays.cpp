@@ -35,7 +35,7 @@ void append(std::vector<std::byte>& bytes, const Numbers& numbers, Layout layout
             value = zigzag((value - before) & mask_of(numbers.width), numbers.width);
         }
         for (std::size_t b = 0; b < numbers.width; ++b) {
-            const std::size_t at = layout == Layout::plain ? i * numbers.width + b : b * count + i;
+            const std::size_t at = layout != Layout::planes ? i * numbers.width + b : b * count + i;
             bytes[begin + at] = static_cast<std::byte>(value >> (8 * b));
         }
     }
@@ -47,7 +47,7 @@ bool take(std::span<const std::byte>& bytes, Numbers& numbers, std::size_t count
     for (std::size_t i = 0; i < count; ++i) {
         std::uint64_t value = 0;
         for (std::size_t b = 0; b < numbers.width; ++b) {
-            const std::size_t at = layout == Layout::plain ? i * numbers.width + b : b * count + i;
+            const std::size_t at = layout != Layout::planes ? i * numbers.width + b : b * count + i;
             value |= static_cast<std::uint64_t>(bytes[at]) << (8 * b);
         }
         if (layout == Layout::planes) {
@@ -67,19 +67,25 @@ bool mixed_degrees(const Mesh& mesh) {
     return false;
 }
 
-std::size_t position_width(const Input& input) {
-    if (input.grid) return input.grid->bits <= 16 ? 2 : 4;
+// The grid the positions are put on, or null where they stay floats.
+const Grid* grid_of(const Input& input, Layout layout) {
+    return input.grid && layout != Layout::raw ? &*input.grid : nullptr;
+}
+
+std::size_t position_width(const Input& input, Layout layout) {
+    if (const Grid* grid = grid_of(input, layout)) return grid->bits <= 16 ? 2 : 4;
     return size_of(input.mesh.positions.scalar);
 }
 
-Numbers positions_of(const Input& input) {
-    Numbers numbers{position_width(input), 3, {}};
+Numbers positions_of(const Input& input, Layout layout) {
+    Numbers numbers{position_width(input, layout), 3, {}};
+    const Grid* grid = grid_of(input, layout);
     const Mesh& mesh = input.mesh;
     numbers.values.resize(3 * mesh.point_count());
     for (std::size_t i = 0; i < numbers.values.size(); ++i) {
         const int k = static_cast<int>(i % 3);
-        if (input.grid)
-            numbers.values[i] = grid_number(*input.grid, coordinate(mesh, i / 3, k), k);
+        if (grid)
+            numbers.values[i] = grid_number(*grid, coordinate(mesh, i / 3, k), k);
         else
             std::memcpy(&numbers.values[i], mesh.positions.bytes.data() + i * numbers.width, numbers.width);
     }
@@ -97,14 +103,14 @@ std::vector<std::byte> arrays_of(const Input& input, Layout layout) {
         append(bytes, degrees, layout);
     }
     append(bytes, Numbers{4, 1, mesh.corners}, layout);
-    append(bytes, positions_of(input), layout);
+    append(bytes, positions_of(input, layout), layout);
     return bytes;
 }
 
-std::size_t arrays_size(const Input& input) {
+std::size_t arrays_size(const Input& input, Layout layout) {
     const Mesh& mesh = input.mesh;
     const Index degrees = mixed_degrees(mesh) ? mesh.cell_count() : 0;
-    return 4 * (degrees + mesh.corners.size()) + 3 * position_width(input) * mesh.point_count();
+    return 4 * (degrees + mesh.corners.size()) + 3 * position_width(input, layout) * mesh.point_count();
 }
 
 Result<Mesh> mesh_of_arrays(std::span<const std::byte> arrays, const Input& input, Layout layout) {
@@ -124,15 +130,16 @@ Result<Mesh> mesh_of_arrays(std::span<const std::byte> arrays, const Input& inpu
     Numbers corners;
     if (!take(arrays, corners, original.corners.size(), layout)) return broken;
     mesh.corners = std::move(corners.values);
-    Numbers positions{position_width(input), 3, {}};
+    Numbers positions{position_width(input, layout), 3, {}};
+    const Grid* grid = grid_of(input, layout);
     if (!take(arrays, positions, 3 * original.point_count(), layout)) return broken;
-    mesh.positions = make_array(input.grid ? Scalar::f32 : original.positions.scalar, 3,
+    mesh.positions = make_array(grid ? Scalar::f32 : original.positions.scalar, 3,
                                 original.point_count());
     for (std::size_t i = 0; i < positions.values.size(); ++i) {
         const int k = static_cast<int>(i % 3);
-        if (input.grid)
+        if (grid)
             mesh.positions.as<float>()[i] = static_cast<float>(
-                grid_value(*input.grid, static_cast<std::uint32_t>(positions.values[i]), k));
+                grid_value(*grid, static_cast<std::uint32_t>(positions.values[i]), k));
         else
             std::memcpy(mesh.positions.bytes.data() + i * positions.width, &positions.values[i],
                         positions.width);

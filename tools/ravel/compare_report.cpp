@@ -64,6 +64,7 @@ std::string summary_of(const std::vector<compare::Row>& rows) {
                                     mean.meshes, mean.meshes == 1 ? "" : "es", name_of(kind), mean.codec,
                                     mean.bits_per_cell);
     text += ratio_lines(rows, CellKind::tet, "xz");
+    text += ratio_lines(rows, CellKind::tet, "xz-grid");
     text += ratio_lines(rows, CellKind::polygon, "draco-triangles");
     text += ratio_lines(rows, CellKind::polygon, "draco-polygons");
     return text;
