@@ -1,5 +1,5 @@
-// Any bytes into the decoder. The mutator takes files apart, changes a section's unpacked bytes and fits
-// the checksum, so that most inputs get as far as the walk.
+// Any bytes into the decoder. The mutator takes files apart, changes a section's unpacked bytes and
+// fits the checksum, so that most inputs get as far as the walk.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -29,8 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 #ifdef RAVEL_LIBFUZZER
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
-                                               unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
     auto parts = ravel::test::take_apart(view(data, size));
     if (!parts || parts->empty() || seed % 16 == 0) return LLVMFuzzerMutate(data, size, max_size);
     const std::size_t at = seed / 16 % parts->size();

@@ -11,7 +11,8 @@ namespace {
 
 void write(const std::filesystem::path& path, const std::vector<std::byte>& bytes) {
     std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
 }
 
 std::vector<ravel::EncodeOptions> option_rows() {
@@ -35,11 +36,12 @@ int main(int count, char** words) {
     std::filesystem::create_directories(folder / "roundtrip");
     int number = 0;
     for (const char* recipe :
-         {"tiny:empty", "tiny:triangle", "tiny:degrees-0-1-2", "tiny:bow-tie", "tiny:pinch", "tiny:cube",
-          "tiny:tets-on-one-face", "tiny:flat-tet", "grid:size=5x4", "torus:size=8x6,double",
-          "polygons:mixed,size=8x8,attributes", "moebius:size=9x2", "tets:box=2,jitter=0.2",
-          "tets:box=2x2x1,attributes,companions,double", "soup:polygons=40,seed=3,attributes",
-          "soup:tets=40,seed=4,attributes,companions", "tets:box=1x1x3,copies=3,shuffle"}) {
+         {"tiny:empty", "tiny:triangle", "tiny:degrees-0-1-2", "tiny:bow-tie", "tiny:pinch",
+          "tiny:cube", "tiny:tets-on-one-face", "tiny:flat-tet", "grid:size=5x4",
+          "torus:size=8x6,double", "polygons:mixed,size=8x8,attributes", "moebius:size=9x2",
+          "tets:box=2,jitter=0.2", "tets:box=2x2x1,attributes,companions,double",
+          "soup:polygons=40,seed=3,attributes", "soup:tets=40,seed=4,attributes,companions",
+          "tets:box=1x1x3,copies=3,shuffle"}) {
         const auto mesh = ravel::make::make_mesh(recipe);
         if (!mesh) return 1;
         for (const ravel::EncodeOptions& options : option_rows()) {

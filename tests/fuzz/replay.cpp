@@ -1,5 +1,5 @@
-// Stands in for libFuzzer: runs the fuzz target over every file of the folders it is given, and over
-// cheap mutations of each, so that any compiler and machine can replay what was found.
+// Stands in for libFuzzer: runs the fuzz target over every file of the folders it is given, and
+// over cheap mutations of each, so that any compiler and machine can replay what was found.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

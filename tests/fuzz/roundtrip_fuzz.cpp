@@ -5,7 +5,8 @@
 #include "support/mesh_from_bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const auto made = ravel::test::mesh_from_bytes({reinterpret_cast<const std::byte*>(data), size});
+    const auto made =
+        ravel::test::mesh_from_bytes({reinterpret_cast<const std::byte*>(data), size});
     const std::string found = ravel::test::trouble(made.mesh, made.options);
     if (!found.empty()) {
         std::fprintf(stderr, "%s\n", found.c_str());

@@ -53,7 +53,8 @@ TEST_CASE("every byte replaced by a random one gives an error or a mesh, checksu
             for (std::size_t at = 0; at < (*parts)[p].raw.size(); ++at)
                 for (int i = 0; i < 3; ++i) {
                     auto bad = *parts;
-                    bad[p].raw[at] = i == 0 ? ~bad[p].raw[at] : static_cast<std::byte>(random.next());
+                    bad[p].raw[at] =
+                        i == 0 ? ~bad[p].raw[at] : static_cast<std::byte>(random.next());
                     INFO(v.name << ", " << name_of(bad[p].id) << " byte " << at);
                     REQUIRE(test::unsafe(test::put_together(bad)) == "");
                 }
@@ -82,7 +83,8 @@ TEST_CASE("sections removed, doubled or exchanged are refused") {
             INFO(v.name << ", " << name_of((*parts)[p].id));
             auto less = *parts;
             less.erase(less.begin() + static_cast<std::ptrdiff_t>(p));
-            if ((*parts)[p].id != SectionId::names) CHECK_FALSE(decode(test::put_together(less)).ok());
+            if ((*parts)[p].id != SectionId::names)
+                CHECK_FALSE(decode(test::put_together(less)).ok());
             auto twice = *parts;
             twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(p), (*parts)[p]);
             CHECK(test::code_of(test::put_together(twice)) == Code::corrupt);
@@ -119,7 +121,8 @@ TEST_CASE("random bytes after the magic are refused") {
         make::Random random{seed};
         Bytes bytes(kMagic.begin(), kMagic.end());
         bytes.push_back(std::byte{kVersion});
-        for (std::uint64_t left = random.below(200); left > 0; --left) bytes.push_back(static_cast<std::byte>(random.next()));
+        for (std::uint64_t left = random.below(200); left > 0; --left)
+            bytes.push_back(static_cast<std::byte>(random.next()));
         CHECK_FALSE(decode(bytes).ok());
     }
 }

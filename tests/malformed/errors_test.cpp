@@ -66,8 +66,10 @@ TEST_CASE("a mesh larger than the limit is refused as such") {
 TEST_CASE("a packed section that says it holds too much, too little or nothing is refused") {
     const auto v = test::victim("torus:size=12x12");
     const auto parts = *test::take_apart(v.file);
-    for (const SectionId id : {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
-        for (const std::uint64_t claim : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 33, ~std::uint64_t{0}}) {
+    for (const SectionId id :
+         {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
+        for (const std::uint64_t claim :
+             {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 33, ~std::uint64_t{0}}) {
             ByteWriter out;
             out.raw(kMagic);
             out.u8(kVersion);
@@ -91,7 +93,8 @@ TEST_CASE("a packed section that says it holds too much, too little or nothing i
 }
 
 TEST_CASE("the size of a section can't wrap around") {
-    for (const std::uint64_t size : {~std::uint64_t{0}, ~std::uint64_t{0} - 1, std::uint64_t{1} << 63}) {
+    for (const std::uint64_t size :
+         {~std::uint64_t{0}, ~std::uint64_t{0} - 1, std::uint64_t{1} << 63}) {
         ByteWriter out;
         out.raw(kMagic);
         out.u8(kVersion);
@@ -108,13 +111,17 @@ TEST_CASE("heads and sections that contradict each other are corrupt") {
     const auto v = test::victim("tets:box=2x1x1,attributes,companions");
     CHECK(code_of(test::with_head(v.file, [](Head& h) { h.keeps_order = true; })) == Code::corrupt);
     CHECK(code_of(test::with_head(v.file, [](Head& h) { h.attributes.clear(); })) == Code::corrupt);
-    CHECK(code_of(test::with_block_head(v.file, v.kind, [](BlockHead& b) { b.companions = 0; })) == Code::corrupt);
-    CHECK(code_of(test::with_block_head(v.file, v.kind, [](BlockHead& b) { b.companions = 9; })) == Code::corrupt);
+    CHECK(code_of(test::with_block_head(v.file, v.kind, [](BlockHead& b) { b.companions = 0; })) ==
+          Code::corrupt);
+    CHECK(code_of(test::with_block_head(v.file, v.kind, [](BlockHead& b) { b.companions = 9; })) ==
+          Code::corrupt);
 }
 
 TEST_CASE("counts that the walk does not confirm are corrupt") {
     const auto v = test::victim("torus:size=6x4");
-    const auto with = [&](auto change) { return code_of(test::with_block_head(v.file, v.kind, change)); };
+    const auto with = [&](auto change) {
+        return code_of(test::with_block_head(v.file, v.kind, change));
+    };
     CHECK(with([](BlockHead& b) { ++b.components; }) == Code::corrupt);
     CHECK(with([](BlockHead& b) { ++b.links; }) == Code::corrupt);
     CHECK(with([](BlockHead& b) { ++b.unused_points; }) == Code::corrupt);

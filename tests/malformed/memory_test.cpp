@@ -1,5 +1,5 @@
-// No file makes the decoder take more memory than the caller allows, nor much more than it has bytes for.
-// operator new is replaced to keep the count.
+// No file makes the decoder take more memory than the caller allows, nor much more than it has
+// bytes for. operator new is replaced to keep the count.
 #include "malformed/victims.h"
 
 #include <atomic>
@@ -31,12 +31,24 @@ void uncounted(void* p) {
 
 }  // namespace
 
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void operator delete(void* p) noexcept { uncounted(p); }
-void operator delete[](void* p) noexcept { uncounted(p); }
-void operator delete(void* p, std::size_t) noexcept { uncounted(p); }
-void operator delete[](void* p, std::size_t) noexcept { uncounted(p); }
+void* operator new(std::size_t size) {
+    return counted(size);
+}
+void* operator new[](std::size_t size) {
+    return counted(size);
+}
+void operator delete(void* p) noexcept {
+    uncounted(p);
+}
+void operator delete[](void* p) noexcept {
+    uncounted(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+    uncounted(p);
+}
+void operator delete[](void* p, std::size_t) noexcept {
+    uncounted(p);
+}
 
 using namespace ravel;
 
@@ -46,9 +58,7 @@ namespace {
 std::size_t taken(const Bytes& file, const DecodeOptions& options) {
     const std::size_t before = live;
     peak = before;
-    {
-        const auto decoded = decode(file, options);
-    }
+    { const auto decoded = decode(file, options); }
     return peak - before;
 }
 
@@ -73,8 +83,9 @@ TEST_CASE("decoding stays within the memory limit, whatever the limit") {
 }
 
 TEST_CASE("large meshes stay within the limit that lets them through") {
-    for (const char* recipe : {"torus:quads=20000", "soup:polygons=5000,seed=1,attributes", "tets:box=14,attributes,companions",
-                               "soup:tets=5000,seed=2", "polygons:cap,size=3000", "tets:box=1,copies=600"})
+    for (const char* recipe : {"torus:quads=20000", "soup:polygons=5000,seed=1,attributes",
+                               "tets:box=14,attributes,companions", "soup:tets=5000,seed=2",
+                               "polygons:cap,size=3000", "tets:box=1,copies=600"})
         for (const bool order : {false, true}) {
             EncodeOptions encoding;
             encoding.keep_order = order;
@@ -83,7 +94,8 @@ TEST_CASE("large meshes stay within the limit that lets them through") {
             // The lowest limit that is enough, within 2 %.
             DecodeOptions options;
             options.memory_limit = 1000;
-            while (!decode(v.file, options).ok()) options.memory_limit += options.memory_limit / 50 + 1;
+            while (!decode(v.file, options).ok())
+                options.memory_limit += options.memory_limit / 50 + 1;
             INFO(recipe << ", limit " << options.memory_limit);
             CHECK(taken(v.file, options) <= options.memory_limit + kFixed);
         }
@@ -94,13 +106,24 @@ TEST_CASE("a file of some hundred bytes can't take more than a few megabytes") {
     const Index most = 0x7FFFFFFF;
     for (const Index n : {Index{1} << 16, Index{1} << 24, Index{1} << 28, most}) {
         for (const Bytes& file :
-             {huge_claim(CellKind::polygon, [&](BlockHead& b) { b.cells = n, b.uniform_degree = 1, b.corners = n; }),
-              huge_claim(CellKind::polygon, [&](BlockHead& b) { b.uniform_degree = n, b.corners = n; }),
-              huge_claim(CellKind::polygon, [&](BlockHead& b) { b.uniform_degree = 0, b.corners = n, b.vertices = b.points = n; }),
-              huge_claim(CellKind::polygon, [&](BlockHead& b) { b.cells = n, b.uniform_degree = 0; }),
+             {huge_claim(CellKind::polygon,
+                         [&](BlockHead& b) { b.cells = n, b.uniform_degree = 1, b.corners = n; }),
+              huge_claim(CellKind::polygon,
+                         [&](BlockHead& b) { b.uniform_degree = n, b.corners = n; }),
+              huge_claim(CellKind::polygon,
+                         [&](BlockHead& b) {
+                             b.uniform_degree = 0, b.corners = n, b.vertices = b.points = n;
+                         }),
+              huge_claim(CellKind::polygon,
+                         [&](BlockHead& b) { b.cells = n, b.uniform_degree = 0; }),
               huge_claim(CellKind::polygon, [&](BlockHead& b) { b.unused_points = n; }),
-              huge_claim(CellKind::tet, [&](BlockHead& b) { b.cells = n / 4, b.vertices = b.points = n / 2; }),
-              huge_claim(CellKind::tet, [&](BlockHead& b) { b.cells = n / 4, b.vertices = b.points = n / 4, b.grid_count = {1, 1, static_cast<std::uint32_t>(n / 2)}; }),
+              huge_claim(CellKind::tet,
+                         [&](BlockHead& b) { b.cells = n / 4, b.vertices = b.points = n / 2; }),
+              huge_claim(CellKind::tet,
+                         [&](BlockHead& b) {
+                             b.cells = n / 4, b.vertices = b.points = n / 4,
+                             b.grid_count = {1, 1, static_cast<std::uint32_t>(n / 2)};
+                         }),
               huge_claim(CellKind::polygon, [&](BlockHead& b) { b.companions = n; })}) {
             REQUIRE(file.size() < 160);
             INFO(n);
@@ -115,7 +138,8 @@ TEST_CASE("a limit below what a head claims is refused before anything is taken 
     options.memory_limit = 1'000'000;
     for (const CellKind kind : {CellKind::polygon, CellKind::tet}) {
         const Bytes file = huge_claim(kind, [&](BlockHead& b) {
-            b.cells = 100'000'000, b.uniform_degree = 4, b.corners = 400'000'000, b.vertices = b.points = 100'000'000;
+            b.cells = 100'000'000, b.uniform_degree = 4, b.corners = 400'000'000,
+            b.vertices = b.points = 100'000'000;
         });
         CHECK(test::code_of(file, options) == Code::limit_exceeded);
         CHECK(taken(file, options) < kFixed);
@@ -123,8 +147,10 @@ TEST_CASE("a limit below what a head claims is refused before anything is taken 
 }
 
 TEST_CASE("zeros that unpack to lists of empty things stay within the limit") {
-    // The worst growth from bytes to memory: names, notes, attributes and companion blocks of no content.
-    for (const SectionId id : {SectionId::head, SectionId::names, SectionId::companions, SectionId::attributes, SectionId::order})
+    // The worst growth from bytes to memory: names, notes, attributes and companion blocks of no
+    // content.
+    for (const SectionId id : {SectionId::head, SectionId::names, SectionId::companions,
+                               SectionId::attributes, SectionId::order})
         for (const std::uint64_t count : {100u, 10'000u, 1'000'000u})
             for (const auto& recipe : {"tiny:tet", "tets:box=2x1x1,attributes,companions"}) {
                 const auto v = test::victim(recipe);
@@ -141,7 +167,8 @@ TEST_CASE("zeros that unpack to lists of empty things stay within the limit") {
                 }
                 if (!there) continue;
                 const Bytes file = test::put_together(parts, 19);
-                for (const std::uint64_t limit : {std::uint64_t{100'000}, std::uint64_t{10'000'000}, std::uint64_t{1} << 30}) {
+                for (const std::uint64_t limit :
+                     {std::uint64_t{100'000}, std::uint64_t{10'000'000}, std::uint64_t{1} << 30}) {
                     DecodeOptions options;
                     options.memory_limit = limit;
                     INFO(name_of(id) << " of " << count << " within " << limit);

@@ -34,9 +34,10 @@ inline std::vector<Victim> victims() {
     ordered.position_bits = 20;
     for (const char* recipe :
          {"tiny:empty", "tiny:quad", "tiny:degrees-0-1-2", "tiny:pinch", "torus:size=6x4",
-          "polygons:mixed,size=4x4,attributes", "soup:polygons=12,seed=3,attributes", "tiny:tets-on-one-face",
-          "tets:box=2x1x1,attributes,companions", "soup:tets=12,seed=4"})
-        for (const EncodeOptions& options : {EncodeOptions{}, grid, ordered}) all.push_back(victim(recipe, options));
+          "polygons:mixed,size=4x4,attributes", "soup:polygons=12,seed=3,attributes",
+          "tiny:tets-on-one-face", "tets:box=2x1x1,attributes,companions", "soup:tets=12,seed=4"})
+        for (const EncodeOptions& options : {EncodeOptions{}, grid, ordered})
+            all.push_back(victim(recipe, options));
     return all;
 }
 

@@ -1,4 +1,5 @@
-// Behind the checksums: codes and positions that no encoder writes, so that the walk itself is attacked.
+// Behind the checksums: codes and positions that no encoder writes, so that the walk itself is
+// attacked.
 #include "malformed/victims.h"
 
 #include "make/random.h"
@@ -29,7 +30,8 @@ TEST_CASE("random codes lead a walk to an error or a mesh") {
         const auto& v = all[seed % all.size()];
         auto parts = *test::take_apart(v.file);
         for (auto& part : parts) {
-            if (part.id == SectionId::connectivity) part.raw = random_bytes(random, random.below(200));
+            if (part.id == SectionId::connectivity)
+                part.raw = random_bytes(random, random.below(200));
             if (part.id == SectionId::positions && random.one_in(2)) {
                 const std::size_t head = std::min<std::size_t>(part.raw.size(), 2);
                 const Bytes more = random_bytes(random, random.below(500));
@@ -53,7 +55,9 @@ TEST_CASE("random codes under larger counts lead to an error or a mesh") {
         const Bytes larger = test::with_block_head(v.file, v.kind, [&](BlockHead& b) {
             b.cells = 1 + random.below(60);
             b.uniform_degree = random.one_in(2) ? 0 : 1 + random.below(6);
-            b.corners = v.kind == CellKind::tet ? 4 * b.cells : b.uniform_degree != 0 ? b.uniform_degree * b.cells : random.below(400);
+            b.corners = v.kind == CellKind::tet ? 4 * b.cells
+                        : b.uniform_degree != 0 ? b.uniform_degree * b.cells
+                                                : random.below(400);
             b.vertices = random.below(b.corners + 1);
             b.has_copies = random.one_in(3);
             b.points = b.has_copies ? random.below(b.vertices + 1) : b.vertices;
@@ -68,7 +72,8 @@ TEST_CASE("random codes under larger counts lead to an error or a mesh") {
         for (auto& part : parts)
             if (part.id == SectionId::connectivity || part.id == SectionId::positions) {
                 const Bytes more = random_bytes(random, random.below(300));
-                part.raw.resize(std::min<std::size_t>(part.raw.size(), part.id == SectionId::positions ? 2 : 0));
+                part.raw.resize(std::min<std::size_t>(part.raw.size(),
+                                                      part.id == SectionId::positions ? 2 : 0));
                 part.raw.insert(part.raw.end(), more.begin(), more.end());
             }
         INFO("seed " << seed);
@@ -84,7 +89,8 @@ TEST_CASE("residuals of the largest size do not overflow") {
         for (const int byte : {0x00, 0x55, 0xAA, 0xFF})
             for (std::size_t from = 2; from < 60; ++from) {
                 const Bytes bad = test::with_section(v.file, SectionId::positions, [&](Bytes& raw) {
-                    for (std::size_t i = from; i < raw.size(); ++i) raw[i] = static_cast<std::byte>(byte);
+                    for (std::size_t i = from; i < raw.size(); ++i)
+                        raw[i] = static_cast<std::byte>(byte);
                 });
                 REQUIRE(test::unsafe(bad) == "");
             }

@@ -1,5 +1,5 @@
-// What rides along: attributes of every place and type, pools, references, names, notes, companions;
-// and positions at the ends of what floats can hold.
+// What rides along: attributes of every place and type, pools, references, names, notes,
+// companions; and positions at the ends of what floats can hold.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -13,13 +13,15 @@ using namespace ravel;
 
 namespace {
 
-constexpr Place kPlaces[] = {Place::point, Place::corner, Place::cell, Place::companion, Place::mesh};
+constexpr Place kPlaces[] = {Place::point, Place::corner, Place::cell, Place::companion,
+                             Place::mesh};
 
 void fill(Array& array, make::Random& random) {
     for (std::byte& b : array.bytes) b = static_cast<std::byte>(random.next() >> 9);
 }
 
-// Edge nodes of a few quadratic tets (the ids need not make sense), lines, and a block without nodes.
+// Edge nodes of a few quadratic tets (the ids need not make sense), lines, and a block without
+// nodes.
 void add_companions(Mesh& mesh) {
     if (mesh.point_count() == 0) return;
     const Index last = mesh.point_count() - 1;
@@ -86,11 +88,14 @@ void check(const std::string& name, const Mesh& mesh) {
 Mesh at_places(const std::vector<double>& values, CellKind kind) {
     std::vector<test::Point> points;
     for (std::size_t i = 0; i < 40; ++i)
-        points.push_back({values[i % values.size()], values[i * 7 / 3 % values.size()], values[i * i % values.size()]});
+        points.push_back({values[i % values.size()], values[i * 7 / 3 % values.size()],
+                          values[i * i % values.size()]});
     std::vector<std::vector<Index>> polygons;
     std::vector<std::array<Index, 4>> tets;
-    for (Index i = 0; i + 4 < 40; ++i) polygons.push_back({i, i + 1, i + 3, i + 2}), tets.push_back({i, i + 1, i + 2, i + 3});
-    return kind == CellKind::tet ? test::tet_mesh(points, tets) : test::polygon_mesh(points, polygons);
+    for (Index i = 0; i + 4 < 40; ++i)
+        polygons.push_back({i, i + 1, i + 3, i + 2}), tets.push_back({i, i + 1, i + 2, i + 3});
+    return kind == CellKind::tet ? test::tet_mesh(points, tets)
+                                 : test::polygon_mesh(points, polygons);
 }
 
 }  // namespace
@@ -127,8 +132,13 @@ TEST_CASE("numbers that would not fit a reference's type are a bad mesh") {
 
 TEST_CASE("names and notes come back in order, empty, long and with zeros in them") {
     Mesh mesh = test::quad_grid(2, 2);
-    mesh.tag_names = {{"region", -1, -5, "wall"}, {"", 3, std::int64_t{1} << 62, ""}, {"region", 0, 0, std::string(5000, 'x')}};
-    mesh.notes = {{"obj:mtllib", "chair.mtl"}, {"", ""}, {std::string("a\0b", 3), std::string(3, '\0')}, {"", ""}};
+    mesh.tag_names = {{"region", -1, -5, "wall"},
+                      {"", 3, std::int64_t{1} << 62, ""},
+                      {"region", 0, 0, std::string(5000, 'x')}};
+    mesh.notes = {{"obj:mtllib", "chair.mtl"},
+                  {"", ""},
+                  {std::string("a\0b", 3), std::string(3, '\0')},
+                  {"", ""}};
     check("names", mesh);
     mesh.tag_names.clear();
     check("notes alone", mesh);
@@ -150,16 +160,26 @@ TEST_CASE("an empty mesh comes back with everything that can ride along") {
 
 TEST_CASE("positions at the ends of float64 come back bit for bit, and near on a grid") {
     using L = std::numeric_limits<double>;
-    const std::vector<std::vector<double>> sets{
-        {0}, {-0.0, 0.0}, {L::denorm_min(), 0, -L::denorm_min()}, {L::max(), -L::max(), 0}, {L::max()},
-        {1e308, 1e-308, -1e308}, {L::infinity(), 1, -L::infinity(), 2}, {L::infinity()},
-        {L::quiet_NaN(), 0.5, L::signaling_NaN(), 3}, {L::quiet_NaN()}, {1e15, 1e15 + 0.125, 1e15 + 1},
-        {1e-320, 3e-320, 9e-310}, {3e38, -3e38, 1e39}, {0.1, 0.2, 0.30000000000000004, 1.0 / 3}};
+    const std::vector<std::vector<double>> sets{{0},
+                                                {-0.0, 0.0},
+                                                {L::denorm_min(), 0, -L::denorm_min()},
+                                                {L::max(), -L::max(), 0},
+                                                {L::max()},
+                                                {1e308, 1e-308, -1e308},
+                                                {L::infinity(), 1, -L::infinity(), 2},
+                                                {L::infinity()},
+                                                {L::quiet_NaN(), 0.5, L::signaling_NaN(), 3},
+                                                {L::quiet_NaN()},
+                                                {1e15, 1e15 + 0.125, 1e15 + 1},
+                                                {1e-320, 3e-320, 9e-310},
+                                                {3e38, -3e38, 1e39},
+                                                {0.1, 0.2, 0.30000000000000004, 1.0 / 3}};
     for (std::size_t i = 0; i < sets.size(); ++i)
         for (const CellKind kind : {CellKind::polygon, CellKind::tet}) {
             const Mesh mesh = at_places(sets[i], kind);
             check("set " + std::to_string(i), mesh);
-            for (const double error : {1e-323, 1e-310, 1e-20, 1e-9, 1e-3, 1.0, 1e10, 1e290, 9e299}) {
+            for (const double error :
+                 {1e-323, 1e-310, 1e-20, 1e-9, 1e-3, 1.0, 1e10, 1e290, 9e299}) {
                 EncodeOptions options;
                 options.level = 1;
                 options.max_error = error;
@@ -193,7 +213,8 @@ TEST_CASE("broken options and broken meshes are refused by name") {
     CHECK(code([](EncodeOptions& o) { o.max_error = -1.0; }) == Code::bad_option);
     CHECK(code([&](EncodeOptions& o) { o.max_error = nan; }) == Code::bad_option);
     CHECK(code([](EncodeOptions& o) { o.max_error = 1e-18; }) == Code::bad_option);
-    CHECK(code([](EncodeOptions& o) { o.max_error = 1.0, o.position_bits = 8; }) == Code::bad_option);
+    CHECK(code([](EncodeOptions& o) { o.max_error = 1.0, o.position_bits = 8; }) ==
+          Code::bad_option);
     CHECK(code([](EncodeOptions& o) { o.level = 0; }) == Code::bad_option);
     CHECK(code([](EncodeOptions& o) { o.level = 23; }) == Code::bad_option);
     CHECK(code([&](EncodeOptions& o) { o.strip_budget = nan; }) == Code::bad_option);

@@ -1,4 +1,5 @@
-// Every mesh comes back: small meshes and recipes under every kind of option, and meshes from random bytes.
+// Every mesh comes back: small meshes and recipes under every kind of option, and meshes from
+// random bytes.
 #include <catch2/catch.hpp>
 
 #include <string>
@@ -79,9 +80,10 @@ TEST_CASE("every small mesh of float32 comes back") {
 
 TEST_CASE("made meshes come back under every option") {
     for (const char* recipe :
-         {"tiny:empty", "tiny:empty-tets", "tiny:points", "tiny:tet-points", "tiny:degrees-0-1-2", "tiny:bow-tie",
-          "tiny:point-cell", "tiny:flat-tet", "tiny:tets-twice", "polygons:mixed,size=12x12,attributes,shuffle",
-          "terrain:size=20x20,holes=5,double", "polygons:cap,size=30", "tets:box=3,five,jitter=0.3,double",
+         {"tiny:empty", "tiny:empty-tets", "tiny:points", "tiny:tet-points", "tiny:degrees-0-1-2",
+          "tiny:bow-tie", "tiny:point-cell", "tiny:flat-tet", "tiny:tets-twice",
+          "polygons:mixed,size=12x12,attributes,shuffle", "terrain:size=20x20,holes=5,double",
+          "polygons:cap,size=30", "tets:box=3,five,jitter=0.3,double",
           "tets:shell=4,attributes,companions,shuffle", "tets:ball=4,copies=2"}) {
         const Result<Mesh> mesh = make::make_mesh(recipe);
         REQUIRE(mesh.ok());
@@ -92,10 +94,11 @@ TEST_CASE("made meshes come back under every option") {
 TEST_CASE("soups come back, each under some option") {
     const auto options = all_options();
     for (std::size_t seed = 1; seed <= 400; ++seed) {
-        const std::string recipe = std::string(seed % 2 == 0 ? "soup:tets=" : "soup:polygons=") +
-                                   std::to_string(seed * 13 % 150) + ",seed=" + std::to_string(seed) +
-                                   (seed % 3 == 0 ? ",double" : "") + (seed % 4 == 0 ? ",attributes" : "") +
-                                   (seed % 8 == 0 ? ",companions" : "");
+        const std::string recipe =
+            std::string(seed % 2 == 0 ? "soup:tets=" : "soup:polygons=") +
+            std::to_string(seed * 13 % 150) + ",seed=" + std::to_string(seed) +
+            (seed % 3 == 0 ? ",double" : "") + (seed % 4 == 0 ? ",attributes" : "") +
+            (seed % 8 == 0 ? ",companions" : "");
         const Result<Mesh> mesh = make::make_mesh(recipe);
         REQUIRE(mesh.ok());
         for (std::size_t i = 0; i < 3; ++i) {

@@ -58,10 +58,14 @@ TEST_CASE("every change of one part is a difference") {
         };
         INFO(recipe);
         CHECK(differs([](Mesh& m) { std::swap(m.corners[0], m.corners[1]); }));
-        CHECK(differs([](Mesh& m) { m.corners[5] = m.corners[9] == m.corners[5] ? 0 : m.corners[9]; }));
+        CHECK(differs(
+            [](Mesh& m) { m.corners[5] = m.corners[9] == m.corners[5] ? 0 : m.corners[9]; }));
         CHECK(differs([](Mesh& m) { m.positions.bytes[7] ^= std::byte{1}; }));
         CHECK(differs([](Mesh& m) { m.positions.bytes.resize(m.positions.bytes.size() - 12); }));
-        CHECK(differs([](Mesh& m) { m.kind = m.kind == CellKind::tet ? CellKind::polygon : CellKind::tet, m.corners.clear(), m.corner_begin.clear(); }));
+        CHECK(differs([](Mesh& m) {
+            m.kind = m.kind == CellKind::tet ? CellKind::polygon : CellKind::tet, m.corners.clear(),
+            m.corner_begin.clear();
+        }));
         CHECK(differs([](Mesh& m) { m.notes.clear(); }));
         CHECK(differs([](Mesh& m) { m.notes[0].text += ' '; }));
         CHECK(differs([](Mesh& m) { m.tag_names.back().name = "roof"; }));
@@ -69,13 +73,15 @@ TEST_CASE("every change of one part is a difference") {
         CHECK(differs([](Mesh& m) { m.attributes.pop_back(); }));
         for (std::size_t a = 0; a < t.decoded.attributes.size(); ++a) {
             CHECK(differs([&](Mesh& m) { m.attributes[a].name += 'x'; }));
-            CHECK(differs([&](Mesh& m) { m.attributes[a].values.bytes.back() ^= std::byte{0x80}; }));
+            CHECK(
+                differs([&](Mesh& m) { m.attributes[a].values.bytes.back() ^= std::byte{0x80}; }));
             CHECK(differs([&](Mesh& m) { m.attributes[a].place = Place::mesh; }));
             if (!t.decoded.attributes[a].index.empty())
                 CHECK(differs([&](Mesh& m) { m.attributes[a].index[3] = kNoIndex; }));
         }
         for (std::size_t b = 0; b < t.decoded.companions.size(); ++b) {
-            CHECK(differs([&](Mesh& m) { std::swap(m.companions[b].nodes[0], m.companions[b].nodes[1]); }));
+            CHECK(differs(
+                [&](Mesh& m) { std::swap(m.companions[b].nodes[0], m.companions[b].nodes[1]); }));
             CHECK(differs([&](Mesh& m) { m.companions[b].vtk_type = 1; }));
         }
     }
@@ -88,7 +94,8 @@ TEST_CASE("a cell that starts with another corner is a difference") {
     CHECK_FALSE(t.equal(other, 0));
     const Trip tets = trip("tets:box=2");
     other = tets.decoded;
-    std::rotate(other.corners.begin(), other.corners.begin() + 1, other.corners.begin() + 3);  // an even permutation
+    std::rotate(other.corners.begin(), other.corners.begin() + 1,
+                other.corners.begin() + 3);  // an even permutation
     CHECK_FALSE(tets.equal(other, 0));
 }
 

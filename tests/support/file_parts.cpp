@@ -44,7 +44,8 @@ std::string unsafe(std::span<const std::byte> file, const DecodeOptions& options
     if (!decoded) return decoded.error().detail.empty() ? "an error without words" : "";
     if (!info) return "inspect refuses what decode takes";
     const Mesh& mesh = decoded->mesh;
-    if (const Status status = check_mesh(mesh); !status) return "broken mesh: " + status.error().detail;
+    if (const Status status = check_mesh(mesh); !status)
+        return "broken mesh: " + status.error().detail;
     if (info->cells != mesh.cell_count() || info->points != mesh.point_count() ||
         info->corners != mesh.corners.size())
         return "inspect counts otherwise";
@@ -54,7 +55,8 @@ std::string unsafe(std::span<const std::byte> file, const DecodeOptions& options
         if (step.cell >= mesh.cell_count() || seen[step.cell]) return "a step to no new cell";
         seen[step.cell] = true;
         if (step.from == kNoIndex) continue;
-        if (step.from >= mesh.cell_count() || !seen[step.from]) return "a step from no visited cell";
+        if (step.from >= mesh.cell_count() || !seen[step.from])
+            return "a step from no visited cell";
         if (step.exit >= mesh.cell(step.from).size() || step.entry >= mesh.cell(step.cell).size())
             return "a step through no facet";
     }

@@ -1,5 +1,5 @@
-// A ravel file taken apart into sections with their unpacked bytes, and put together again with checksums
-// that fit: so that an attack gets behind them.
+// A ravel file taken apart into sections with their unpacked bytes, and put together again with
+// checksums that fit: so that an attack gets behind them.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct FilePart {
     Bytes raw;
 };
 
-// Without looking at checksums; nothing where the bytes are no sequence of sections, or unpack to more
-// than 16 MiB.
+// Without looking at checksums; nothing where the bytes are no sequence of sections, or unpack to
+// more than 16 MiB.
 std::optional<std::vector<FilePart>> take_apart(std::span<const std::byte> file);
 
 // Stored unpacked where `level` is 0.
@@ -63,8 +63,8 @@ Bytes with_section(const Bytes& file, SectionId id, const Change& change) {
     return put_together(*parts);
 }
 
-// What must hold for any bytes: they give an error or a mesh with one step per cell, all of it within
-// its own bounds. Empty, or what does not hold.
+// What must hold for any bytes: they give an error or a mesh with one step per cell, all of it
+// within its own bounds. Empty, or what does not hold.
 std::string unsafe(std::span<const std::byte> file, const DecodeOptions& options = {});
 
 }  // namespace ravel::test

@@ -30,17 +30,28 @@ double number(Source& in) {
     const unsigned kind = in.u8();
     if (kind < 200) return static_cast<double>(kind) * 0.125 - 5;
     switch (kind % 12) {
-        case 0: return Limits::quiet_NaN();
-        case 1: return Limits::infinity();
-        case 2: return -Limits::infinity();
-        case 3: return -0.0;
-        case 4: return Limits::denorm_min();
-        case 5: return -Limits::max();
-        case 6: return Limits::max();
-        case 7: return 1e-300;
-        case 8: return 1e30 + in.u8();
-        case 9: return static_cast<double>(std::numeric_limits<float>::denorm_min()) * in.u8();
-        case 10: return 1e6 + in.u8() / 256.0;
+        case 0:
+            return Limits::quiet_NaN();
+        case 1:
+            return Limits::infinity();
+        case 2:
+            return -Limits::infinity();
+        case 3:
+            return -0.0;
+        case 4:
+            return Limits::denorm_min();
+        case 5:
+            return -Limits::max();
+        case 6:
+            return Limits::max();
+        case 7:
+            return 1e-300;
+        case 8:
+            return 1e30 + in.u8();
+        case 9:
+            return static_cast<double>(std::numeric_limits<float>::denorm_min()) * in.u8();
+        case 10:
+            return 1e6 + in.u8() / 256.0;
         default: {
             const std::uint64_t bits = in.u64();
             double x = 0;
@@ -75,8 +86,9 @@ void add_cells(Mesh& mesh, Source& in) {
         std::vector<Index> cell;
         const Index cells = mesh.cell_count();
         if (cells > 0 && how >= 64) {
-            const auto old = mesh.cell(how % 3 == 0 ? in.below(static_cast<unsigned>(std::min<Index>(cells, 256)))
-                                                    : cells - 1);
+            const auto old = mesh.cell(
+                how % 3 == 0 ? in.below(static_cast<unsigned>(std::min<Index>(cells, 256)))
+                             : cells - 1);
             if (how >= 250) {
                 cell.assign(old.begin(), old.end());
                 degree = cell.size();
@@ -108,7 +120,8 @@ void add_companions(Mesh& mesh, Source& in) {
         block.cell_count = in.below(10);
         for (Index i = 0; i < block.cell_count * block.nodes_per_cell; ++i)
             block.nodes.push_back(in.below(points));
-        for (Index i = 0; hosted && i < block.cell_count; ++i) block.hosts.push_back(in.below(cells));
+        for (Index i = 0; hosted && i < block.cell_count; ++i)
+            block.hosts.push_back(in.below(cells));
         mesh.companions.push_back(std::move(block));
     }
 }
@@ -127,8 +140,9 @@ void add_attributes(Mesh& mesh, Source& in) {
         for (std::byte& b : a.values.bytes) b = static_cast<std::byte>(in.u8());
         if (pool && a.place != Place::mesh)
             for (Index i = 0; i < elements; ++i)
-                a.index.push_back(tuples == 0 || in.u8() % 5 == 0 ? kNoIndex
-                                                                  : in.below(static_cast<unsigned>(tuples)));
+                a.index.push_back(tuples == 0 || in.u8() % 5 == 0
+                                      ? kNoIndex
+                                      : in.below(static_cast<unsigned>(tuples)));
         if (!is_float(scalar) && size_of(scalar) >= 4 && in.u8() % 3 == 0) {
             const bool has_sign = scalar == Scalar::i32 || scalar == Scalar::i64;
             a.references.push_back({in.below(arity), in.u8() % 2 == 0 ? Place::point : Place::cell,
@@ -136,7 +150,8 @@ void add_attributes(Mesh& mesh, Source& in) {
         }
         mesh.attributes.push_back(std::move(a));
     }
-    if (in.u8() % 4 == 0) mesh.tag_names.push_back({"b", static_cast<int>(in.below(5)) - 1, -7, "wall"});
+    if (in.u8() % 4 == 0)
+        mesh.tag_names.push_back({"b", static_cast<int>(in.below(5)) - 1, -7, "wall"});
     if (in.u8() % 4 == 0) mesh.notes.push_back({"key", std::string(in.below(9), '\0')});
 }
 
@@ -150,11 +165,20 @@ MeshCase mesh_from_bytes(std::span<const std::byte> bytes) {
     options.level = 1;
     const unsigned quality = in.u8();
     switch (quality % 6) {
-        case 0: options.position_bits = 1 + static_cast<int>(in.below(30)); break;
-        case 1: options.max_error = 0.001 * (1 + in.u8()); break;
-        case 2: options.max_error = std::abs(number(in)); break;
-        case 3: options.float32 = true; break;
-        default: break;
+        case 0:
+            options.position_bits = 1 + static_cast<int>(in.below(30));
+            break;
+        case 1:
+            options.max_error = 0.001 * (1 + in.u8());
+            break;
+        case 2:
+            options.max_error = std::abs(number(in));
+            break;
+        case 3:
+            options.float32 = true;
+            break;
+        default:
+            break;
     }
     const unsigned rest = in.u8();
     options.keep_order = (rest & 1) != 0;
@@ -193,16 +217,19 @@ std::string step_trouble(const Decoded& decoded) {
             if (step.link) return "a component starts with a link";
             continue;
         }
-        if (step.from >= mesh.cell_count() || !seen[step.from]) return "a step from no visited cell";
+        if (step.from >= mesh.cell_count() || !seen[step.from])
+            return "a step from no visited cell";
         if (step.exit >= mesh.cell(step.from).size() || step.entry >= mesh.cell(step.cell).size())
             return "a step through no facet";
-        if (facet(step.from, step.exit) != facet(step.cell, step.entry)) return "a step's facets differ";
+        if (facet(step.from, step.exit) != facet(step.cell, step.entry))
+            return "a step's facets differ";
     }
     return {};
 }
 
 std::string trouble(const Mesh& mesh, const EncodeOptions& options) {
-    if (const Status status = check_mesh(mesh); !status) return "the test's mesh: " + status.error().detail;
+    if (const Status status = check_mesh(mesh); !status)
+        return "the test's mesh: " + status.error().detail;
     const Result<Encoded> packed = encode(mesh, options);
     if (!packed) {
         const bool may_fail = options.max_error && packed.error().code == Code::bad_option;
@@ -210,7 +237,8 @@ std::string trouble(const Mesh& mesh, const EncodeOptions& options) {
     }
     const Result<Decoded> again = decode(packed->bytes);
     if (!again) return "decode: " + again.error().detail;
-    if (const Status status = check_mesh(again->mesh); !status) return "decoded mesh: " + status.error().detail;
+    if (const Status status = check_mesh(again->mesh); !status)
+        return "decoded mesh: " + status.error().detail;
     // Rounding to float32 is the one change that is asked for.
     Mesh original = mesh;
     if (options.float32 && mesh.positions.scalar == Scalar::f64 && mesh.point_count() > 0) {
@@ -218,18 +246,24 @@ std::string trouble(const Mesh& mesh, const EncodeOptions& options) {
         for (std::size_t i = 0; i < 3 * mesh.point_count(); ++i)
             original.positions.as<float>()[i] = static_cast<float>(mesh.positions.as<double>()[i]);
     }
-    const Comparison found = compare_meshes(original, again->mesh, packed->order, packed->position_bound);
+    const Comparison found =
+        compare_meshes(original, again->mesh, packed->order, packed->position_bound);
     if (!found.equal) return "differs: " + found.difference;
     if (options.keep_order && !found.order_kept) return "the order was not kept";
-    if (options.max_error && !(found.max_error <= *options.max_error)) return "the error asked for was passed";
-    if (found.max_error > packed->position_error) return "the error is larger than the encoder measured";
+    if (options.max_error && !(found.max_error <= *options.max_error))
+        return "the error asked for was passed";
+    if (found.max_error > packed->position_error)
+        return "the error is larger than the encoder measured";
     if (const std::string steps = step_trouble(*again); !steps.empty()) return steps;
     const Result<FileInfo> info = inspect(packed->bytes);
     if (!info) return "inspect: " + info.error().detail;
-    const auto starts = static_cast<Index>(std::count_if(
-        again->steps.begin(), again->steps.end(), [](const StripStep& s) { return s.from == kNoIndex; }));
-    if (starts != packed->strip.components || info->components != starts) return "components are miscounted";
-    if (info->cells != mesh.cell_count() || info->points != mesh.point_count()) return "inspect miscounts";
+    const auto starts =
+        static_cast<Index>(std::count_if(again->steps.begin(), again->steps.end(),
+                                         [](const StripStep& s) { return s.from == kNoIndex; }));
+    if (starts != packed->strip.components || info->components != starts)
+        return "components are miscounted";
+    if (info->cells != mesh.cell_count() || info->points != mesh.point_count())
+        return "inspect miscounts";
     const Result<Encoded> twice = encode(mesh, options);
     if (!twice || twice->bytes != packed->bytes) return "encoding twice gives other bytes";
     return {};

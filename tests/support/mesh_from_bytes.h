@@ -17,11 +17,12 @@ struct MeshCase {
 
 MeshCase mesh_from_bytes(std::span<const std::byte> bytes);
 
-// Encodes, decodes and compares; empty, or what went wrong. Options that no grid can meet are no trouble.
+// Encodes, decodes and compares; empty, or what went wrong. Options that no grid can meet are no
+// trouble.
 std::string trouble(const Mesh& mesh, const EncodeOptions& options);
 
-// Are the steps a strip over the decoded mesh? Every cell once; two cells of a step share the facets it
-// names, by points. Empty, or what is wrong.
+// Are the steps a strip over the decoded mesh? Every cell once; two cells of a step share the
+// facets it names, by points. Empty, or what is wrong.
 std::string step_trouble(const Decoded& decoded);
 
 }  // namespace ravel::test

@@ -25,7 +25,9 @@ std::uint32_t slow(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-TEST_CASE("the checksum of nothing is zero") { CHECK(crc32c({}) == 0); }
+TEST_CASE("the checksum of nothing is zero") {
+    CHECK(crc32c({}) == 0);
+}
 
 TEST_CASE("the checksum is the CRC-32C of its standard") {
     CHECK(sum_of("123456789") == 0xE3069283u);

@@ -23,8 +23,14 @@ Head rich_head(bool narrow) {
     head.bound = 0.125;
     head.error = 0.0625;
     head.attributes.push_back({"", Place::mesh, Scalar::u8, 1, false, 0, {}});
-    head.attributes.push_back({"cell2node", Place::cell, Scalar::i64, 65535, true, Index{1} << 50,
-                               {{65534, Place::cell, -1}, {0, Place::point, std::int64_t{1} << 40}}});
+    head.attributes.push_back(
+        {"cell2node",
+         Place::cell,
+         Scalar::i64,
+         65535,
+         true,
+         Index{1} << 50,
+         {{65534, Place::cell, -1}, {0, Place::point, std::int64_t{1} << 40}}});
     return head;
 }
 
@@ -220,13 +226,15 @@ TEST_CASE("sections come back, the smaller of both forms") {
         CHECK(section->id == SectionId::names);
         CHECK(section->packed == (form == packed));
         CHECK(section->raw_size == 300);
-        CHECK(Bytes(section->bytes.begin(), section->bytes.end()) == (form == packed ? packed : raw));
+        CHECK(Bytes(section->bytes.begin(), section->bytes.end()) ==
+              (form == packed ? packed : raw));
         CHECK(check_section(*section).ok());
         CHECK(in.left() == 0);
     }
 }
 
-TEST_CASE("a cut section is truncated, a damaged one fails its checksum, an unknown one is corrupt") {
+TEST_CASE(
+    "a cut section is truncated, a damaged one fails its checksum, an unknown one is corrupt") {
     ByteWriter out;
     write_section(out, SectionId::names, Bytes(50, std::byte{3}), {});
     Bytes bytes = out.take();

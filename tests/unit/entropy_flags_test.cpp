@@ -28,7 +28,8 @@ Script random_script(std::uint32_t seed) {
     script.contexts = 1 + static_cast<std::uint32_t>(random.below(40));
     std::vector<std::uint32_t> chance(script.contexts);  // in 1/1000000
     for (std::uint32_t& c : chance) {
-        static constexpr std::uint32_t kChances[] = {0, 30, 1000, 20000, 200000, 500000, 900000, 999900, 1000000};
+        static constexpr std::uint32_t kChances[] = {0,      30,     1000,   20000,  200000,
+                                                     500000, 900000, 999900, 1000000};
         c = kChances[random.below(9)];
     }
     const std::uint64_t count = random.below(4000);
@@ -62,14 +63,17 @@ Bytes write(const Script& script) {
 double bits_per_flag(double p, std::size_t count, std::uint32_t seed) {
     make::Random random{seed};
     std::vector<bool> flags(count);
-    for (std::size_t i = 0; i < count; ++i) flags[i] = static_cast<double>(random.next() >> 11) < p * 0x1p53;
+    for (std::size_t i = 0; i < count; ++i)
+        flags[i] = static_cast<double>(random.next() >> 11) < p * 0x1p53;
     FlagEncoder out;
     FlagModel model;
     for (const bool f : flags) out.flag(model, f);
     return 8.0 * static_cast<double>(out.finish().size()) / static_cast<double>(count);
 }
 
-double entropy(double p) { return -p * std::log2(p) - (1 - p) * std::log2(1 - p); }
+double entropy(double p) {
+    return -p * std::log2(p) - (1 - p) * std::log2(1 - p);
+}
 
 }  // namespace
 
@@ -115,7 +119,8 @@ TEST_CASE("flags over random contexts and plain bits come back") {
 }
 
 TEST_CASE("flags cost what their entropy says, within a few percent") {
-    for (const double p : {0.5, 0.4, 0.3, 0.2, 0.15, 0.1, 0.07, 0.05, 0.03, 0.02, 0.01, 0.005, 0.002, 0.001}) {
+    for (const double p :
+         {0.5, 0.4, 0.3, 0.2, 0.15, 0.1, 0.07, 0.05, 0.03, 0.02, 0.01, 0.005, 0.002, 0.001}) {
         INFO("p " << p);
         const std::size_t count = 400000;
         const double constant = 64.0 / static_cast<double>(count);  // the adaptation, once
@@ -125,7 +130,9 @@ TEST_CASE("flags cost what their entropy says, within a few percent") {
     }
 }
 
-TEST_CASE("flags that never miss cost next to nothing") { CHECK(bits_per_flag(0, 400000, 3) < 1.0 / 400); }
+TEST_CASE("flags that never miss cost next to nothing") {
+    CHECK(bits_per_flag(0, 400000, 3) < 1.0 / 400);
+}
 
 TEST_CASE("reading past the end is safe and reported") {
     for (std::uint32_t seed = 0; seed < 50; ++seed) {

@@ -18,7 +18,8 @@ Bytes noise(std::size_t size) {
 }  // namespace
 
 TEST_CASE("what is packed comes back at every level") {
-    for (const Bytes& raw : {Bytes{}, Bytes(1, std::byte{7}), Bytes(100000, std::byte{0}), noise(50000)})
+    for (const Bytes& raw :
+         {Bytes{}, Bytes(1, std::byte{7}), Bytes(100000, std::byte{0}), noise(50000)})
         for (const int level : {1, 3, 19, 22}) {
             const Bytes packed = pack(raw, level);
             REQUIRE_FALSE(packed.empty());
@@ -31,7 +32,8 @@ TEST_CASE("what is packed comes back at every level") {
 
 TEST_CASE("a packed section of another size than announced is refused") {
     const Bytes packed = pack(Bytes(1000, std::byte{1}), 3);
-    for (const std::uint64_t size : {0, 1, 999, 1001, 100000}) CHECK_FALSE(unpack(packed, size, 0).ok());
+    for (const std::uint64_t size : {0, 1, 999, 1001, 100000})
+        CHECK_FALSE(unpack(packed, size, 0).ok());
 }
 
 TEST_CASE("cut and damaged packs give an error or bytes, and never more than announced") {

@@ -51,8 +51,9 @@ std::vector<Id> groups_of(const Complex& c) {
         for (Id i = c.first[a]; i < c.first[a + 1]; ++i)
             for (Id j = c.first[b]; j < c.first[b + 1]; ++j) {
                 const auto on = [&](Id corner, Id facet) {
-                    return c.kind == CellKind::tet ? corner != facet
-                                                   : corner == facet || corner == c.next_in_cell(facet);
+                    return c.kind == CellKind::tet
+                               ? corner != facet
+                               : corner == facet || corner == c.next_in_cell(facet);
                 };
                 if (c.vertex[i] == c.vertex[j] && on(i, f) && on(j, g))
                     group[std::max(root(i), root(j))] = std::min(root(i), root(j));
@@ -71,7 +72,8 @@ std::string broken_promise(const Mesh& mesh, const Complex& c) {
         if (g >= c.twin.size() || c.twin[g] != f) return "twins are not symmetric";
         if (c.cell_of[f] == c.cell_of[g]) return "a cell is glued to itself";
         const auto there = facet_points(c, f), back = facet_points(c, g);
-        if (from_smallest(there) != from_smallest(backwards(back))) return "glued facets do not run opposite";
+        if (from_smallest(there) != from_smallest(backwards(back)))
+            return "glued facets do not run opposite";
     }
     for (Id cell = 0; cell < c.cell_count(); ++cell) {
         std::set<Id> met;
@@ -79,14 +81,16 @@ std::string broken_promise(const Mesh& mesh, const Complex& c) {
             if (!met.insert(c.vertex[i]).second) return "a cell meets a vertex twice";
         // Flips undone, these are the mesh's own cells.
         std::vector<Id> points;
-        for (Id i = c.first[cell]; i < c.first[cell + 1]; ++i) points.push_back(c.point[c.vertex[i]]);
+        for (Id i = c.first[cell]; i < c.first[cell + 1]; ++i)
+            points.push_back(c.point[c.vertex[i]]);
         if (c.flipped[cell] != 0 && !points.empty()) {
             if (c.kind == CellKind::tet)
                 std::swap(points[2], points[3]);
             else
                 std::reverse(points.begin() + 1, points.end());
         }
-        if (!std::equal(points.begin(), points.end(), mesh.cell(cell).begin(), mesh.cell(cell).end()))
+        if (!std::equal(points.begin(), points.end(), mesh.cell(cell).begin(),
+                        mesh.cell(cell).end()))
             return "a cell is not the mesh's";
     }
     const std::vector<Id> group = groups_of(c);
@@ -96,7 +100,8 @@ std::string broken_promise(const Mesh& mesh, const Complex& c) {
         if (known == kNone) known = group[i];
         if (known != group[i]) return "the corners of a vertex do not hang together";
     }
-    if (std::find(group_of.begin(), group_of.end(), kNone) != group_of.end()) return "a vertex without corners";
+    if (std::find(group_of.begin(), group_of.end(), kNone) != group_of.end())
+        return "a vertex without corners";
     return {};
 }
 
@@ -134,18 +139,22 @@ TEST_CASE("clean meshes are neither cut nor flipped") {
 TEST_CASE("soups of polygons become what a complex promises to be") {
     for (int seed = 1; seed <= 200; ++seed) {
         INFO(seed);
-        CHECK(verdict(made("soup:polygons=" + std::to_string(3 + seed % 70) + ",seed=" + std::to_string(seed))) == "");
+        CHECK(verdict(made("soup:polygons=" + std::to_string(3 + seed % 70) +
+                           ",seed=" + std::to_string(seed))) == "");
         CHECK(verdict(test::random_soup(CellKind::polygon, 4 + static_cast<Index>(seed) % 9,
-                                        static_cast<Index>(seed) % 60, static_cast<std::uint32_t>(seed))) == "");
+                                        static_cast<Index>(seed) % 60,
+                                        static_cast<std::uint32_t>(seed))) == "");
     }
 }
 
 TEST_CASE("soups of tets become what a complex promises to be") {
     for (int seed = 1; seed <= 200; ++seed) {
         INFO(seed);
-        CHECK(verdict(made("soup:tets=" + std::to_string(3 + seed % 70) + ",seed=" + std::to_string(seed))) == "");
+        CHECK(verdict(made("soup:tets=" + std::to_string(3 + seed % 70) +
+                           ",seed=" + std::to_string(seed))) == "");
         CHECK(verdict(test::random_soup(CellKind::tet, 4 + static_cast<Index>(seed) % 9,
-                                        static_cast<Index>(seed) % 60, static_cast<std::uint32_t>(seed))) == "");
+                                        static_cast<Index>(seed) % 60,
+                                        static_cast<std::uint32_t>(seed))) == "");
     }
 }
 

@@ -16,13 +16,16 @@ TEST_CASE("the turns of a tet are the 24 permutations in lexicographic order") {
     }
 }
 
-TEST_CASE("numbers that name no turn are no harm") { CHECK(tet_turn(24) == tet_turn(0)); }
+TEST_CASE("numbers that name no turn are no harm") {
+    CHECK(tet_turn(24) == tet_turn(0));
+}
 
 TEST_CASE("turned corners run through the whole cell once") {
     for (std::uint32_t degree = 1; degree < 9; ++degree)
         for (std::uint32_t turn = 0; turn < degree; ++turn) {
             std::vector<bool> hit(degree, false);
-            for (std::uint32_t i = 0; i < degree; ++i) hit.at(old_corner(CellKind::polygon, turn, degree, i)) = true;
+            for (std::uint32_t i = 0; i < degree; ++i)
+                hit.at(old_corner(CellKind::polygon, turn, degree, i)) = true;
             CHECK(std::count(hit.begin(), hit.end(), true) == degree);
             CHECK(old_corner(CellKind::polygon, turn, degree, 0) == turn);
         }
@@ -41,7 +44,8 @@ TEST_CASE("an inverse turned round is the permutation") {
 
 TEST_CASE("gathering takes whole tuples, and nothing from nothing") {
     Array array = make_array(Scalar::u16, 2, 3);
-    std::iota(array.as<std::uint16_t>().begin(), array.as<std::uint16_t>().end(), std::uint16_t{10});
+    std::iota(array.as<std::uint16_t>().begin(), array.as<std::uint16_t>().end(),
+              std::uint16_t{10});
     const Array out = gather(array, {2, 0});
     REQUIRE(out.count() == 2);
     const auto values = out.as<std::uint16_t>();

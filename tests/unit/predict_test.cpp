@@ -19,8 +19,22 @@ namespace {
 using Limits = std::numeric_limits<double>;
 
 std::vector<double> ascending_doubles() {
-    return {-Limits::infinity(), -Limits::max(), -1e300, -1.5, -1, -Limits::min(), -Limits::denorm_min(), -0.0,
-            0.0, Limits::denorm_min(), Limits::min(), 1, std::nextafter(1.0, 2.0), 1.5, 1e300, Limits::max(),
+    return {-Limits::infinity(),
+            -Limits::max(),
+            -1e300,
+            -1.5,
+            -1,
+            -Limits::min(),
+            -Limits::denorm_min(),
+            -0.0,
+            0.0,
+            Limits::denorm_min(),
+            Limits::min(),
+            1,
+            std::nextafter(1.0, 2.0),
+            1.5,
+            1e300,
+            Limits::max(),
             Limits::infinity()};
 }
 
@@ -88,7 +102,8 @@ TEST_CASE("planes come back for every scalar and arity") {
     std::mt19937 random(3);
     for (unsigned s = 0; s <= static_cast<unsigned>(Scalar::f64); ++s)
         for (const std::uint32_t arity : {1u, 2u, 3u, 7u, 65535u})
-            for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{arity < 10 ? 50u : 2u}}) {
+            for (const std::size_t count :
+                 {std::size_t{0}, std::size_t{1}, std::size_t{arity < 10 ? 50u : 2u}}) {
                 Array array = make_array(static_cast<Scalar>(s), arity, count);
                 for (std::byte& b : array.bytes) b = static_cast<std::byte>(random());
                 const Bytes planes = planes_of(array);
@@ -102,7 +117,8 @@ TEST_CASE("planes come back for every scalar and arity") {
 
 TEST_CASE("planes of a slow ramp are small numbers first and zeros after") {
     Array array = make_array(Scalar::i32, 1, 1000);
-    for (int i = 0; i < 1000; ++i) array.as<std::int32_t>()[static_cast<std::size_t>(i)] = i * 3 - 500;
+    for (int i = 0; i < 1000; ++i)
+        array.as<std::int32_t>()[static_cast<std::size_t>(i)] = i * 3 - 500;
     const Bytes planes = planes_of(array);
     for (std::size_t i = 1; i < 1000; ++i) CHECK(planes[i] == std::byte{6});
     for (std::size_t i = 2001; i < planes.size(); ++i) CHECK(planes[i] == std::byte{0});
@@ -115,10 +131,12 @@ TEST_CASE("a guess rounds to nearest, halves up, also below zero") {
         weights[triangle][0] = 2048;  // a half
         Features<std::int64_t> f;
         f.feature[0] = t;
-        CHECK(guess(Configuration::triangle, f, weights) == static_cast<std::int64_t>(std::floor(double(t) / 2 + 0.5)));
+        CHECK(guess(Configuration::triangle, f, weights) ==
+              static_cast<std::int64_t>(std::floor(double(t) / 2 + 0.5)));
         const auto tet = static_cast<std::size_t>(Configuration::tet);
         weights[tet][0] = 4096;
-        CHECK(guess(Configuration::tet, f, weights) == static_cast<std::int64_t>(std::floor(double(t) / 3 + 0.5)));
+        CHECK(guess(Configuration::tet, f, weights) ==
+              static_cast<std::int64_t>(std::floor(double(t) / 3 + 0.5)));
     }
 }
 
