@@ -168,6 +168,8 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
     }
     out.companions = mesh.companions;
     for (CompanionBlock& block : out.companions) {
+        if (mesh.kind == CellKind::tet)
+            turn_edge_nodes(block, true, [&](Index host) { return order.turn[host]; });
         for (Index& node : block.nodes) node = order.old_point[node];
         for (Index& host : block.hosts) host = order.old_cell[host];
     }

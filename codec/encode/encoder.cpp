@@ -285,7 +285,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const std::vector<Index> new_point = inverse_of(order.old_point, mesh.point_count());
     const std::vector<Index> new_cell = inverse_of(order.old_cell, mesh.cell_count());
     if (!mesh.companions.empty())
-        section(SectionId::companions, write_companions(mesh, new_point, new_cell));
+        section(SectionId::companions, write_companions(mesh, order, new_point, new_cell));
     if (!mesh.attributes.empty())
         section(SectionId::attributes, write_attributes(mesh, order, new_point, new_cell));
     if (!mesh.tag_names.empty() || !mesh.notes.empty())

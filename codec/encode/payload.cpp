@@ -47,11 +47,17 @@ bool is_pool(const Mesh& mesh, const Attribute& attribute) {
            (attribute.place != Place::mesh && element_count(mesh, attribute.place) == 0);
 }
 
-Bytes write_companions(const Mesh& mesh, const std::vector<Index>& new_point,
+Bytes write_companions(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
                        const std::vector<Index>& new_cell) {
     ByteWriter out;
     out.varint(mesh.companions.size());
-    for (const CompanionBlock& block : mesh.companions) {
+    for (const CompanionBlock& given : mesh.companions) {
+        CompanionBlock turned;
+        if (mesh.kind == CellKind::tet && !given.hosts.empty()) {
+            turned = given;
+            turn_edge_nodes(turned, false, [&](Index host) { return order.turn[new_cell[host]]; });
+        }
+        const CompanionBlock& block = turned.hosts.empty() ? given : turned;
         out.varint(block.vtk_type);
         out.varint(block.nodes_per_cell);
         out.varint(block.cell_count);

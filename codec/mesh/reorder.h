@@ -35,6 +35,25 @@ std::vector<Index> inverse_of(const std::vector<Index>& from, Index count);
 // cell[n]; what names no element stays.
 void renumber(Attribute& attribute, const std::vector<Index>& point, const std::vector<Index>& cell);
 
+// Puts the nodes of a block of quadratic tets' edge nodes (VTK order) where a turn of their tet has
+// them: `turn_of(host)` is the number of the permutation. Back again with `back`. Other blocks stay.
+template <class TurnOf>
+void turn_edge_nodes(CompanionBlock& block, bool back, TurnOf turn_of) {
+    constexpr std::uint8_t kEdge[4][4] = {{0, 0, 2, 3}, {0, 0, 1, 4}, {2, 1, 0, 5}, {3, 4, 5, 0}};
+    constexpr std::uint8_t kEnds[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+    if (block.vtk_type != 24 || block.nodes_per_cell != 6) return;
+    for (std::size_t i = 0; i < block.hosts.size(); ++i) {
+        const std::array<std::uint8_t, 4> t = tet_turn(turn_of(block.hosts[i]));
+        Index* const six = block.nodes.data() + 6 * i;
+        Index given[6];
+        for (std::size_t k = 0; k < 6; ++k) given[k] = six[k];
+        for (std::size_t k = 0; k < 6; ++k) {
+            const std::size_t old = kEdge[t[kEnds[k][0]]][t[kEnds[k][1]]];
+            six[back ? old : k] = given[back ? k : old];
+        }
+    }
+}
+
 // Tuple i of the result is tuple from[i] of `array`.
 Array gather(const Array& array, const std::vector<Index>& from);
 

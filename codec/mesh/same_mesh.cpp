@@ -78,7 +78,10 @@ class Comparer {
             return false;
         }
         for (std::size_t i = 0; i < a_.companions.size(); ++i) {
-            const CompanionBlock &x = a_.companions[i], &y = b_.companions[i];
+            CompanionBlock x = a_.companions[i];
+            const CompanionBlock& y = b_.companions[i];
+            if (a_.kind == CellKind::tet)
+                turn_edge_nodes(x, false, [&](Index host) { return order_.turn[host]; });
             bool same = x.vtk_type == y.vtk_type && x.nodes_per_cell == y.nodes_per_cell &&
                         x.cell_count == y.cell_count && x.nodes.size() == y.nodes.size() &&
                         x.hosts.size() == y.hosts.size();
