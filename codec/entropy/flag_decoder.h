@@ -46,7 +46,7 @@ class FlagDecoder {
     }
     std::uint32_t below(std::uint32_t size) {
         if (size <= 1) return 0;
-        const int width = std::bit_width(size - 1);
+        const int width = static_cast<int>(std::bit_width(size - 1));
         const std::uint32_t brief = (std::uint32_t{1} << width) - size;
         const auto value = static_cast<std::uint32_t>(bits(width - 1));
         if (value < brief) return value;

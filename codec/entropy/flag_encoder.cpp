@@ -30,7 +30,7 @@ class BitWriter {
 // Truncated binary: the first `2^bits - size` values take bits - 1 bits, the others one more.
 void put_below(BitWriter& out, std::uint32_t value, std::uint32_t size) {
     if (size <= 1) return;
-    const int bits = std::bit_width(size - 1);
+    const int bits = static_cast<int>(std::bit_width(size - 1));
     const std::uint32_t brief = (std::uint32_t{1} << bits) - size;
     if (value < brief)
         out.put(value, bits - 1);
