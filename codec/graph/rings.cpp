@@ -63,8 +63,8 @@ class Merger {
         for (int pass = 0; pass < limits_.passes; ++pass) {
             std::uint64_t merges = 0;
             for (int edges = 2; edges <= most; ++edges)
-                for (GraphId s = 0; s < strips_.count(); ++s) 
-                merges += static_cast<std::uint64_t>(merge_strip(s, edges));
+                for (GraphId s = 0; s < strips_.count(); ++s)
+                    merges += static_cast<std::uint64_t>(merge_strip(s, edges));
             total += merges;
             if (merges == 0) break;
         }
