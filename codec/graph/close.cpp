@@ -29,15 +29,12 @@ class Forest {
             if (degree_[n] == 1) ++ends_left_[parts_.of[n]];
     }
 
-    // Free walks all over before any that cost singletons. A part where a round joins nothing is
-    // done with at that price.
-    void run() {
-        for (const int price : {0, kMaxPrice}) {
-            std::fill(active_.begin(), active_.end(), std::uint8_t{1});
-            for (int round = 0; round < kMaxRounds && grow(price); ++round) {
-                active_ = joined_;
-                std::fill(joined_.begin(), joined_.end(), std::uint8_t{0});
-            }
+    // A part where a round joins nothing is done with at that price.
+    void run(int price) {
+        std::fill(active_.begin(), active_.end(), std::uint8_t{1});
+        for (int round = 0; round < kMaxRounds && grow(price); ++round) {
+            active_ = joined_;
+            std::fill(joined_.begin(), joined_.end(), std::uint8_t{0});
         }
     }
 
@@ -175,8 +172,16 @@ class Forest {
 
 }  // namespace
 
+EdgeSet join_ends(const Graph& graph, EdgeSet set) {
+    Forest(graph, set).run(0);
+    return set;
+}
+
+// Free walks all over before any that cost singletons.
 EdgeSet close_paths(const Graph& graph, EdgeSet set) {
-    Forest(graph, set).run();
+    Forest forest(graph, set);
+    forest.run(0);
+    forest.run(kMaxPrice);
     return set;
 }
 

@@ -5,6 +5,10 @@
 
 namespace ravel {
 
+// Adds edges by walks between path ends that `augment` did not find: they may be as long as the graph
+// is wide. No walk makes a singleton.
+EdgeSet join_ends(const Graph& graph, EdgeSet set);
+
 // Turns paths into cycles and singletons, with few singletons, but leaves the last path of a
 // connected part where closing it would take one. Paths that no walk reaches stay (`cut_paths` ends
 // them).

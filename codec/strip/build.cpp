@@ -4,6 +4,7 @@
 // Cost: near-linear; about 1 s per million cells, and that of the matchings.
 #include "strip/build.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "graph/augment.h"
@@ -29,13 +30,28 @@ namespace {
 constexpr Id kPolygonLookAhead = 1;
 constexpr Id kTetLookAhead = 2;
 
+constexpr GraphId kVisitsPerNode = 8;
+
+// Near-maximum, by short walks, by long ones from all ends at once, and by one after the other where
+// few ends are left: all searches together visit few states per node.
+EdgeSet raise(const Graph& graph, EdgeSet set) {
+    set = join_ends(graph, augment(graph, std::move(set)));
+    const std::vector<std::uint8_t> degree = degrees_in(graph, set);
+    const auto ends = static_cast<GraphId>(
+        std::count_if(degree.begin(), degree.end(), [](std::uint8_t d) { return d < 2; }));
+    if (ends == 0) return set;
+    RepairLimits limits;
+    limits.visits = std::max(limits.visits, kVisitsPerNode * (graph.node_count() / ends));
+    return augment(graph, std::move(set), limits);
+}
+
 // The 2-matching as the method finds it, before anything is mended that is not the method's own.
 EdgeSet find_factor(const Dual& dual, const Steered& walk, FactorMethod method, Reading reading) {
     const Graph& graph = dual.graph;
     EdgeSet set;
     switch (method) {
-        case FactorMethod::steered: return augment(graph, paths_of(walk, dual));
-        case FactorMethod::euler: return augment(graph, euler_matching(graph));
+        case FactorMethod::steered: return raise(graph, paths_of(walk, dual));
+        case FactorMethod::euler: return raise(graph, euler_matching(graph));
         case FactorMethod::two_pass: set = two_pass(graph).set; break;
         case FactorMethod::template_substitution: set = template_factor(graph).set; break;
     }
@@ -64,7 +80,7 @@ Strip build_strip(const Complex& complex, FactorMethod method, const StripOption
     count_shapes(graph, set, factor);
     // A maximum has been reached already, but for these.
     if (method == FactorMethod::two_pass || options.reading == Reading::unmatched)
-        set = augment(graph, std::move(set));
+        set = raise(graph, std::move(set));
     set = cut_paths(graph, extend_paths(graph, close_paths(graph, std::move(set))));
     Merged merged = merge_fans(complex, dual, std::move(set));
     RingLimits rings;
