@@ -1,4 +1,4 @@
-// Weights are whole numbers from 0 to 1000: sums, products, quotients and square roots of doubles
+// Weights are whole numbers up to kHeaviest: sums, products, quotients and square roots of doubles
 // are the same on every machine, so the weights are, too.
 // Cost: linear in corners.
 #include "ravel/objective.h"
@@ -9,7 +9,7 @@
 namespace ravel::tool {
 namespace {
 
-constexpr std::uint32_t kHeaviest = 1000;
+constexpr std::uint32_t kHeaviest = 65535;
 constexpr double kDegrees = 57.29577951308232;
 
 using Vector = std::array<double, 3>;
@@ -90,17 +90,18 @@ std::vector<std::uint32_t> facet_weights(const Mesh& mesh, const Complex& comple
         const Id g = complex.twin[f];
         if (g == kNone || g < f) continue;
         const Id a = complex.cell_of[f], b = complex.cell_of[g];
-        double serves = 0;  // 0 not at all .. 1 as well as can be
+        double off = 1;  // 0 as well as can be .. 1 not at all
         if (objective == Objective::normals) {
-            serves = (1 + dot(shapes.normal[a], shapes.normal[b])) / 2;
+            const Vector change = minus(shapes.normal[b], shapes.normal[a]);
+            off = std::sqrt(dot(change, change)) / 2;  // the sine of half the angle
         } else {
             const auto axis = static_cast<std::size_t>(objective) -
                               static_cast<std::size_t>(Objective::axis_x);
-            serves = std::fabs(unit(minus(shapes.middle[b], shapes.middle[a]))[axis]);
+            off = 1 - std::fabs(unit(minus(shapes.middle[b], shapes.middle[a]))[axis]);
         }
-        if (!(serves >= 0)) continue;
-        const double heavy = kHeaviest * (1 - std::min(serves, 1.0));
-        weights[f] = weights[g] = static_cast<std::uint32_t>(heavy + 0.5);
+        if (!(off < 1)) continue;
+        weights[f] = weights[g] =
+            static_cast<std::uint32_t>(kHeaviest * std::max(off, 0.0) + 0.5);
     }
     return weights;
 }
