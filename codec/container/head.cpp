@@ -82,7 +82,8 @@ Result<Head> read_head(ByteReader& in) {
         for (double& o : head.origin) o = get(in, narrow);
         head.bound = get(in, narrow);
         head.error = get(in, narrow);
-        bool sane = std::isfinite(head.step) && head.step > 0 && std::isfinite(head.bound);
+        bool sane = std::isfinite(head.step) && head.step > 0 && std::isfinite(head.bound) &&
+                    head.bound >= 0 && head.error >= 0 && head.error <= head.bound && head.position_bits <= 64;
         for (const double o : head.origin) sane = sane && std::isfinite(o);
         if (in.ok() && !sane) return bad("the grid of the positions makes no sense");
     }
@@ -101,7 +102,9 @@ Result<Head> read_head(ByteReader& in) {
         for (std::uint64_t r = 0; r < references; ++r) {
             const std::uint64_t component = in.varint();
             const std::int64_t base = unzigzag(in.varint());
-            if (component >> 1 >= arity) return bad("an attribute refers by a component it has not");
+            if (component >> 1 >= arity ||
+                (!a.references.empty() && component >> 1 <= a.references.back().component))
+                return bad("an attribute refers by a component it has not, or twice by one");
             a.references.push_back({static_cast<std::uint32_t>(component >> 1),
                                     component & 1 ? Place::cell : Place::point, base});
         }
@@ -151,7 +154,8 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.mirrored = (flags & 8) != 0;
     b.cells = in.varint();
     constexpr Index kMost = 0xFFFFFFFEu;
-    if (flags > (kind == CellKind::tet ? 15u : 7u) || b.cells >= kMost) return bad("a block with more cells than a block may have");
+    if (flags > (kind == CellKind::tet ? 15u : 7u) || b.cells >= (kind == CellKind::tet ? kMostTets : kMost))
+        return bad("a block with more cells than a block may have, or flags of another version");
     if (kind == CellKind::polygon) {
         b.uniform_degree = in.varint();
         if (b.uniform_degree >= kMost) return bad("cells with more corners than a block may have");
@@ -165,22 +169,23 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.companions = in.varint();
     b.components = in.varint();
     b.links = in.varint();
+    if (!in.ok()) return bad("the block's head ends too early");
+    if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices || b.unused_points >= kMost ||
+        b.vertices + b.unused_points >= kMost || b.components > b.cells || b.links > b.corners)
+        return bad("the counts of a block contradict each other");
     if (kind == CellKind::tet) {
         b.grid_side = in.varint();
         // The grid has at most so many cubes that it is small beside the vertices.
         std::uint64_t cubes = 1;
         for (std::uint32_t& n : b.grid_count) {
             const std::uint64_t count = in.varint();
-            if (count == 0 || count > most_cubes(b.vertices) / cubes) return bad("a grid of too many cubes");
+            if (count == 0 || count > 0xFFFFFFFFu || count > most_cubes(b.vertices) / cubes) return bad("a grid of too many cubes");
             n = static_cast<std::uint32_t>(count);
             cubes *= count;
         }
         if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52) return bad("a grid of impossible cubes");
     }
     if (!in.ok() || in.left() != 0) return bad("the block's head ends too early or too late");
-    if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices || b.unused_points >= kMost ||
-        b.points + b.unused_points >= kMost || b.components > b.cells || b.links > b.corners)
-        return bad("the counts of a block contradict each other");
     return b;
 }
 

@@ -29,6 +29,8 @@ enum class SectionId : std::uint8_t {
 };
 inline constexpr std::uint8_t kLastSection = 8;
 
+// Three edge slots per facet of a tet are counted in 32 bits.
+inline constexpr std::uint32_t kMostTets = 357913941;
 inline constexpr std::uint32_t kMostArity = 65535;  // of an attribute
 
 const char* name_of(SectionId id);

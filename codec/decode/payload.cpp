@@ -48,7 +48,7 @@ Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
         if (block.cell_count > kNoIndex / 4 - mesh.companion_count())
             return corrupt(in, "more companions than can be counted");
         block.nodes.resize(block.cell_count * nodes);
-        for (std::size_t k = 0; k < nodes; ++k) {
+        for (std::size_t k = 0; k < nodes && block.cell_count > 0; ++k) {
             DeltaReader column(in);
             for (std::size_t i = k; i < block.nodes.size(); i += nodes) {
                 block.nodes[i] = column.next();

@@ -63,7 +63,7 @@ Bytes write_companions(const Mesh& mesh, const Reorder& order, const std::vector
         out.varint(block.cell_count);
         out.u8(block.hosts.empty() ? 0 : 1);
         // Nodes column by column: the columns of one cell type resemble themselves most.
-        for (std::size_t k = 0; k < block.nodes_per_cell; ++k) {
+        for (std::size_t k = 0; k < block.nodes_per_cell && block.cell_count > 0; ++k) {
             DeltaWriter column(out);
             for (std::size_t i = k; i < block.nodes.size(); i += block.nodes_per_cell)
                 column.put(new_point[block.nodes[i]]);

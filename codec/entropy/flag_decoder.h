@@ -31,8 +31,10 @@ class FlagDecoder {
 
     // More bits were asked for than there are: the stream is cut or not one of ours.
     bool exhausted() const { return past_ > 0; }
-    // All bits were used, but for the padding of the last byte.
-    bool finished() const { return position_ == bytes_.size() && held_ < 8; }
+    // All bits were used, but for the padding of the last byte, which is zero.
+    bool finished() const {
+        return position_ == bytes_.size() && held_ < 8 && (hold_ & ((std::uint64_t{1} << held_) - 1)) == 0;
+    }
 
   private:
     struct Run {

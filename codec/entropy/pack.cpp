@@ -3,6 +3,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace ravel {
@@ -30,6 +31,11 @@ Bytes pack(std::span<const std::byte> raw, int level) {
 }
 
 Result<Bytes> unpack(std::span<const std::byte> packed, std::uint64_t raw_size, std::uint64_t at) {
+    // One frame and nothing else: the library would also take several, skippable ones and old formats.
+    constexpr std::array<std::byte, 4> kFrame{std::byte{0x28}, std::byte{0xB5}, std::byte{0x2F}, std::byte{0xFD}};
+    if (packed.size() < kFrame.size() || !std::equal(kFrame.begin(), kFrame.end(), packed.begin()) ||
+        ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size())
+        return Error{Code::corrupt, at, "a packed section is not one zstd frame"};
     const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
     if (!context) return Error{Code::limit_exceeded, at, "out of memory while unpacking a section"};
     Bytes raw(static_cast<std::size_t>(raw_size));

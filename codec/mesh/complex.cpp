@@ -272,9 +272,11 @@ class Gluer {
 
 Result<Complex> build_complex(const Mesh& mesh) {
     constexpr Index kMost = Index{kNone} - 1;
-    if (mesh.corners.size() >= kMost || mesh.cell_count() >= kMost || mesh.point_count() >= kMost)
+    constexpr Index kMostTets = 357913941;  // three edge slots per facet are counted in 32 bits
+    if (mesh.corners.size() + mesh.point_count() >= kMost || mesh.cell_count() >= kMost ||
+        (mesh.kind == CellKind::tet && mesh.cell_count() >= kMostTets))
         return Error{Code::limit_exceeded, mesh.cell_count(),
-                     "one block holds fewer than 4294967294 points, cells and corners"};
+                     "one block holds fewer than 4294967294 points and corners, and 357913941 tets"};
     Complex complex;
     Gluer(mesh, complex).run();
     return complex;

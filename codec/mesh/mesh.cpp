@@ -103,7 +103,10 @@ Status check_companions(const Mesh& mesh) {
 Status check_references(const Mesh& mesh, const Attribute& attribute, std::size_t a) {
     const std::string where = "attribute \"" + attribute.name + "\"";
     const Scalar scalar = attribute.values.scalar;
-    for (const Reference& r : attribute.references) {
+    for (std::size_t i = 0; i < attribute.references.size(); ++i) {
+        const Reference& r = attribute.references[i];
+        if (i > 0 && r.component <= attribute.references[i - 1].component)
+            return bad(a, where + " lists its references in another order than by component");
         if (is_float(scalar) || size_of(scalar) < 4) return bad(a, where + " refers by something else than 32-bit integers");
         if (r.component >= attribute.values.arity || (r.place != Place::point && r.place != Place::cell))
             return bad(a, where + " refers by a component it has not, or to what has no order");

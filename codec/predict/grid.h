@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "ravel/mesh.h"
 
@@ -14,6 +15,9 @@ struct Grid {
     std::array<double, 3> origin{};
     double step = 1;
 };
+
+// A float32 beyond its range is infinite, as in IEEE 754.
+static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559);
 
 inline double coordinate_of(const Grid& grid, std::size_t axis, std::int64_t q, Scalar scalar) {
     const double x = grid.origin[axis] + grid.step * static_cast<double>(q);

@@ -120,7 +120,8 @@ class SurfaceWalk {
                 return kUsual[i];
         const std::uint64_t rest =
             driver_.number(surface::kDegreeRest.base, truth <= 2 ? truth : truth - 6);
-        return static_cast<Id>(std::min<std::uint64_t>(rest <= 2 ? rest : rest + 6, kNone));
+        if (rest <= 2) return static_cast<Id>(rest);
+        return rest < limits_.corners ? static_cast<Id>(rest) + 6 : kNone;  // more than there can be
     }
     Id degree_at(Id cell) const { return walked_.first[cell + 1] - walked_.first[cell]; }
     static std::uint32_t coarse(Id degree) {

@@ -30,7 +30,7 @@ Head rich_head(bool narrow) {
          65535,
          true,
          Index{1} << 50,
-         {{65534, Place::cell, -1}, {0, Place::point, std::int64_t{1} << 40}}});
+         {{0, Place::point, std::int64_t{1} << 40}, {65534, Place::cell, -1}}});
     return head;
 }
 
@@ -105,11 +105,29 @@ TEST_CASE("heads come back field by field") {
         CHECK(a.indexed == b.indexed);
         CHECK(a.tuples == b.tuples);
         REQUIRE(a.references.size() == 2);
-        CHECK(a.references[0].component == 65534);
-        CHECK(a.references[0].place == Place::cell);
-        CHECK(a.references[0].base == -1);
-        CHECK(a.references[1].base == std::int64_t{1} << 40);
+        CHECK(a.references[1].component == 65534);
+        CHECK(a.references[1].place == Place::cell);
+        CHECK(a.references[1].base == -1);
+        CHECK(a.references[0].base == std::int64_t{1} << 40);
     }
+}
+
+TEST_CASE("a head that makes no sense is refused") {
+    const auto refused = [](const Head& head) {
+        const Bytes bytes = write_head(head);
+        ByteReader in(bytes);
+        return !read_head(in).ok();
+    };
+    REQUIRE_FALSE(refused(rich_head(false)));
+    Head head = rich_head(false);
+    std::swap(head.attributes[1].references[0], head.attributes[1].references[1]);
+    CHECK(refused(head));  // two references by one component could not be undone
+    head = rich_head(false);
+    head.bound = -1;
+    CHECK(refused(head));
+    head = rich_head(false);
+    head.error = head.bound * 2;
+    CHECK(refused(head));
 }
 
 TEST_CASE("block heads come back field by field") {

@@ -58,3 +58,14 @@ TEST_CASE("no pack is said to hold less than it does") {
         CHECK(most_unpacked(pack(Bytes(size, std::byte{0}), 19).size()) >= size);
     CHECK(most_unpacked(~std::uint64_t{0}) == ~std::uint64_t{0});
 }
+
+TEST_CASE("a packed section is one zstd frame, not two and no skippable one before it") {
+    const Bytes one = pack(Bytes(500, std::byte{3}), 3);
+    Bytes two = one;
+    two.insert(two.end(), one.begin(), one.end());
+    CHECK_FALSE(unpack(two, 1000, 0).ok());
+    Bytes skipped{std::byte{0x50}, std::byte{0x2A}, std::byte{0x4D}, std::byte{0x18},
+                  std::byte{0},    std::byte{0},    std::byte{0},    std::byte{0}};
+    skipped.insert(skipped.end(), one.begin(), one.end());
+    CHECK_FALSE(unpack(skipped, 500, 0).ok());
+}

@@ -63,7 +63,7 @@ struct Attribute {
     Place place = Place::point;
     Array values;
     std::vector<Index> index;
-    std::vector<Reference> references;  // empty for all but a few; values are then 32- or 64-bit integers
+    std::vector<Reference> references;  // by component; values are then 32- or 64-bit integers
 };
 
 // Cells that ride along with the main kind: boundary triangles, lines, points, the edge nodes of
