@@ -1,6 +1,6 @@
-// A Graph as LEMON's algorithms want it (lemon/concepts/graph.h), without a copy: LEMON's own graphs
-// take twice the memory, keep no rows together, and their maps don't compile as C++20. Only what
-// lemon::MaxMatching uses is here; an edge is known by either of its arcs.
+// A Graph as LEMON's algorithms want it (lemon/concepts/graph.h), without a copy: LEMON's own
+// graphs take twice the memory, keep no rows together, and their maps don't compile as C++20. Only
+// what lemon::MaxMatching uses is here; an edge is known by either of its arcs.
 #pragma once
 
 #include <vector>

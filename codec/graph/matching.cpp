@@ -1,6 +1,6 @@
 // Edmonds's blossoms [Edmonds1965], by LEMON's MaxMatching: a greedy matching, then one tree of
-// alternating walks per unmatched node, first edges first. A tree that finds no unmatched node stays;
-// its nodes at odd distance are in the barrier of Gallai and Edmonds.
+// alternating walks per unmatched node, first edges first. A tree that finds no unmatched node
+// stays; its nodes at odd distance are in the barrier of Gallai and Edmonds.
 // Cost: O(m n alpha) at worst, near-linear on the graphs of meshes; about 70 bytes per node.
 #include "graph/matching.h"
 

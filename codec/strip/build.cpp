@@ -1,5 +1,5 @@
-// Dual graph -> 2-matching (steered walk, Euler tour, two matchings or one in the inflated graph) ->
-// maximum by alternating walks -> surplus paths closed -> strips merged around fans, then by longer
+// Dual graph -> 2-matching (steered walk, Euler tour, two matchings, or one in the inflated graph)
+// -> maximum by alternating walks -> surplus paths closed -> strips merged around fans, then by longer
 // rings -> tree of links.
 // Cost: near-linear; about 1 s per million cells, and that of the matchings.
 #include "strip/build.h"
@@ -32,8 +32,8 @@ constexpr Id kTetLookAhead = 2;
 
 constexpr GraphId kVisitsPerNode = 8;
 
-// Near-maximum, by short walks, by long ones from all ends at once, and by one after the other where
-// few ends are left: all searches together visit few states per node.
+// Near-maximum, by short walks, by long ones from all ends at once, and one after the other
+// where few ends are left: all searches together visit few states per node.
 EdgeSet raise(const Graph& graph, EdgeSet set) {
     set = join_ends(graph, augment(graph, std::move(set)));
     const std::vector<std::uint8_t> degree = degrees_in(graph, set);

@@ -15,7 +15,9 @@ std::vector<ravel::EncodeOptions> option_rows() {
     rows[2].keep_order = true;
     rows[2].method = ravel::FactorMethod::euler;
     rows[3].max_error = 0.01;
+    rows[3].method = ravel::FactorMethod::two_pass;
     rows[4].strip_budget = 0;
+    rows[4].method = ravel::FactorMethod::template_substitution;
     rows[4].float32 = true;
     for (ravel::EncodeOptions& row : rows) row.level = 3;
     return rows;

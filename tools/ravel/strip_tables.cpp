@@ -114,8 +114,9 @@ std::vector<std::string> table_columns(CellKind kind) {
     if (kind == CellKind::polygon)
         return {"model",          "by",          "faces", "final_faces", "increase_percent",
                 "nodal_vertices", "edge_splits", "seconds"};
-    return {"model",  "by",            "tets",                  "vertices",                  "nodal_edges",
-            "cycles", "linear_strips", "tets_increase_percent", "vertices_increase_percent", "seconds"};
+    return {"model",       "by",     "tets",          "vertices",
+            "nodal_edges", "cycles", "linear_strips", "tets_increase_percent",
+            "vertices_increase_percent", "seconds"};
 }
 
 Status add_table_rows(const std::string& model, const Mesh& mesh, Json& rows) {

@@ -9,8 +9,8 @@
 
 namespace ravel::tool {
 
-// Adds to `rows` the paper's model of like size, if there is one (within a quarter more or less), and
-// our strips of the mesh: by the paper's method with fans only, by ours in full.
+// Adds to `rows` the paper's model of like size, if there is one (within a quarter more or less),
+// and our strips of the mesh: by the paper's method with fans only, by ours in full.
 Status add_table_rows(const std::string& model, const Mesh& mesh, Json& rows);
 
 // The columns of the paper's table for a kind.

@@ -106,7 +106,8 @@ ExitCode print_tables(const Options& options) {
         return ExitCode::done;
     }
     const char* gap = "";
-    for (const auto& [rows, kind] : {std::pair{&quads, CellKind::polygon}, {&tets, CellKind::tet}}) {
+    for (const auto& [rows, kind] :
+         {std::pair{&quads, CellKind::polygon}, {&tets, CellKind::tet}}) {
         if (rows->empty()) continue;
         fmt::print("{}Table {}\n{}", gap, kind == CellKind::polygon ? "1, polygons" : "2, tets",
                    table_of(*rows, table_columns(kind)));
