@@ -1,5 +1,5 @@
-// Bytes out and bounded bytes in. Integers are little-endian; a varint holds seven bits a byte, least
-// significant first, the high bit set on all but the last byte, in the shortest form only.
+// Bytes out and bounded bytes in. Integers are little-endian; a varint holds seven bits a byte,
+// least significant first, the high bit set on all but the last byte, in the shortest form only.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Contexts are numbers: encoder and decoder keep one adaptive model for each. Blocks of contexts stand
-// one after the other.
+// Contexts are numbers: encoder and decoder keep one adaptive model for each. Blocks of contexts
+// stand one after the other.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,8 @@ struct ContextBlock {
     constexpr Context end() const { return base + a * b * c * d; }
     constexpr Context at(std::uint32_t i, std::uint32_t j = 0, std::uint32_t k = 0,
                          std::uint32_t l = 0) const {
-        i = std::min(i, a - 1), j = std::min(j, b - 1), k = std::min(k, c - 1), l = std::min(l, d - 1);
+        i = std::min(i, a - 1), j = std::min(j, b - 1), k = std::min(k, c - 1),
+        l = std::min(l, d - 1);
         return base + ((i * b + j) * c + k) * d + l;
     }
 };

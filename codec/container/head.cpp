@@ -7,7 +7,9 @@ namespace ravel {
 namespace {
 
 // Doubles of a grid are stored as float32 where that is all they are.
-bool fits_float32(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
+bool fits_float32(double x) {
+    return static_cast<double>(static_cast<float>(x)) == x;
+}
 
 void put(ByteWriter& out, double x, bool narrow) {
     if (narrow)
@@ -23,28 +25,37 @@ double get(ByteReader& in, bool narrow) {
 
 const char* name_of(SectionId id) {
     switch (id) {
-        case SectionId::end: return "end";
-        case SectionId::head: return "head";
-        case SectionId::block: return "block";
-        case SectionId::connectivity: return "connectivity";
-        case SectionId::positions: return "positions";
-        case SectionId::companions: return "companions";
-        case SectionId::attributes: return "attributes";
-        case SectionId::names: return "names";
-        case SectionId::order: return "order";
+        case SectionId::end:
+            return "end";
+        case SectionId::head:
+            return "head";
+        case SectionId::block:
+            return "block";
+        case SectionId::connectivity:
+            return "connectivity";
+        case SectionId::positions:
+            return "positions";
+        case SectionId::companions:
+            return "companions";
+        case SectionId::attributes:
+            return "attributes";
+        case SectionId::names:
+            return "names";
+        case SectionId::order:
+            return "order";
     }
     return "unknown";
 }
 
 Bytes write_head(const Head& head) {
     ByteWriter out;
-    const double numbers[] = {head.step, head.origin[0], head.origin[1], head.origin[2], head.bound, head.error};
+    const double numbers[] = {head.step,      head.origin[0], head.origin[1],
+                              head.origin[2], head.bound,     head.error};
     bool narrow = !head.lossless;
     for (const double x : numbers) narrow = narrow && fits_float32(x);
-    out.u8(static_cast<std::uint8_t>((head.kind == CellKind::tet ? 1 : 0) |
-                                     (head.position_scalar == Scalar::f64 ? 2 : 0) |
-                                     (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) |
-                                     (narrow ? 16 : 0)));
+    out.u8(static_cast<std::uint8_t>(
+        (head.kind == CellKind::tet ? 1 : 0) | (head.position_scalar == Scalar::f64 ? 2 : 0) |
+        (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) | (narrow ? 16 : 0)));
     if (!head.lossless) {
         out.u8(head.position_bits);
         for (const double x : numbers) put(out, x, narrow);
@@ -70,7 +81,8 @@ Result<Head> read_head(ByteReader& in) {
     const auto bad = [&](const char* why) { return Error{Code::corrupt, start, why}; };
     Head head;
     const unsigned flags = in.u8();
-    if (flags > 31 || (flags & 20) == 20) return bad("the head has flags this version does not know");
+    if (flags > 31 || (flags & 20) == 20)
+        return bad("the head has flags this version does not know");
     head.kind = flags & 1 ? CellKind::tet : CellKind::polygon;
     head.position_scalar = flags & 2 ? Scalar::f64 : Scalar::f32;
     head.lossless = (flags & 4) != 0;
@@ -83,7 +95,8 @@ Result<Head> read_head(ByteReader& in) {
         head.bound = get(in, narrow);
         head.error = get(in, narrow);
         bool sane = std::isfinite(head.step) && head.step > 0 && std::isfinite(head.bound) &&
-                    head.bound >= 0 && head.error >= 0 && head.error <= head.bound && head.position_bits <= 64;
+                    head.bound >= 0 && head.error >= 0 && head.error <= head.bound &&
+                    head.position_bits <= 64;
         for (const double o : head.origin) sane = sane && std::isfinite(o);
         if (in.ok() && !sane) return bad("the grid of the positions makes no sense");
     }
@@ -108,8 +121,8 @@ Result<Head> read_head(ByteReader& in) {
             a.references.push_back({static_cast<std::uint32_t>(component >> 1),
                                     component & 1 ? Place::cell : Place::point, base});
         }
-        if ((kind & 7) > static_cast<unsigned>(Place::mesh) || kind >> 4 > static_cast<unsigned>(Scalar::f64) ||
-            arity == 0 || arity > kMostArity)
+        if ((kind & 7) > static_cast<unsigned>(Place::mesh) ||
+            kind >> 4 > static_cast<unsigned>(Scalar::f64) || arity == 0 || arity > kMostArity)
             return bad("an attribute of a kind this version does not know");
         a.place = static_cast<Place>(kind & 7);
         a.indexed = (kind & 8) != 0;
@@ -123,8 +136,8 @@ Result<Head> read_head(ByteReader& in) {
 
 Bytes write_block_head(const BlockHead& b, CellKind kind) {
     ByteWriter out;
-    out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) | (b.has_copies ? 4 : 0) |
-                                     (b.mirrored ? 8 : 0)));
+    out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) |
+                                     (b.has_copies ? 4 : 0) | (b.mirrored ? 8 : 0)));
     out.varint(b.cells);
     if (kind == CellKind::polygon) {
         out.varint(b.uniform_degree);
@@ -154,7 +167,8 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.mirrored = (flags & 8) != 0;
     b.cells = in.varint();
     constexpr Index kMost = 0xFFFFFFFEu;
-    if (flags > (kind == CellKind::tet ? 15u : 7u) || b.cells >= (kind == CellKind::tet ? kMostTets : kMost))
+    if (flags > (kind == CellKind::tet ? 15u : 7u) ||
+        b.cells >= (kind == CellKind::tet ? kMostTets : kMost))
         return bad("a block with more cells than a block may have, or flags of another version");
     if (kind == CellKind::polygon) {
         b.uniform_degree = in.varint();
@@ -170,8 +184,9 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.components = in.varint();
     b.links = in.varint();
     if (!in.ok()) return bad("the block's head ends too early");
-    if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices || b.unused_points >= kMost ||
-        b.vertices + b.unused_points >= kMost || b.components > b.cells || b.links > b.corners)
+    if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices ||
+        b.unused_points >= kMost || b.vertices + b.unused_points >= kMost ||
+        b.components > b.cells || b.links > b.corners)
         return bad("the counts of a block contradict each other");
     if (kind == CellKind::tet) {
         b.grid_side = in.varint();
@@ -179,11 +194,13 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
         std::uint64_t cubes = 1;
         for (std::uint32_t& n : b.grid_count) {
             const std::uint64_t count = in.varint();
-            if (count == 0 || count > 0xFFFFFFFFu || count > most_cubes(b.vertices) / cubes) return bad("a grid of too many cubes");
+            if (count == 0 || count > 0xFFFFFFFFu || count > most_cubes(b.vertices) / cubes)
+                return bad("a grid of too many cubes");
             n = static_cast<std::uint32_t>(count);
             cubes *= count;
         }
-        if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52) return bad("a grid of impossible cubes");
+        if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52)
+            return bad("a grid of impossible cubes");
     }
     if (!in.ok() || in.left() != 0) return bad("the block's head ends too early or too late");
     return b;

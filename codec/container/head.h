@@ -27,7 +27,7 @@ struct Head {
     bool lossless = true;
     bool keeps_order = false;
     std::uint8_t position_bits = 0;
-    double step = 0;           // the rest only for grids
+    double step = 0;  // the rest only for grids
     double origin[3] = {0, 0, 0};
     double bound = 0;
     double error = 0;
@@ -38,7 +38,7 @@ struct BlockHead {
     Index points = 0;
     Index cells = 0;
     Index corners = 0;
-    Index vertices = 0;        // of the walk; more than points where some had to be cut
+    Index vertices = 0;  // of the walk; more than points where some had to be cut
     Index unused_points = 0;
     Index uniform_degree = 0;  // 0: degrees differ
     Index companions = 0;
@@ -47,13 +47,15 @@ struct BlockHead {
     bool has_border = true;
     bool has_flips = false;
     bool has_copies = false;
-    bool mirrored = false;                              // tets: most have negative volume
-    Index grid_side = 1;                                // tets: the walk's grid of vertices
+    bool mirrored = false;  // tets: most have negative volume
+    Index grid_side = 1;    // tets: the walk's grid of vertices
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
 };
 
 // Cubes of the vertex grid of a block with so many vertices.
-inline std::uint64_t most_cubes(Index vertices) { return 4 * vertices + 64; }
+inline std::uint64_t most_cubes(Index vertices) {
+    return 4 * vertices + 64;
+}
 
 Bytes write_head(const Head& head);
 Result<Head> read_head(ByteReader& in);

@@ -1,7 +1,8 @@
 // The container's constants, named as in spec/format.md.
 //
-//     magic, version, section `head`, then per block: section `block`, its data sections; byte 0 ends the file
-//     section: id u8, (size << 1 | packed) varint, [raw size varint if packed], crc32c u32, bytes
+//     magic, version, section `head`, then per block: section `block`, its data sections; byte 0
+//     ends the file section: id u8, (size << 1 | packed) varint, [raw size varint if packed],
+//     crc32c u32, bytes
 //
 // Everything is read forward only; the size in front of each section lets a reader pass over it.
 #pragma once
@@ -24,8 +25,8 @@ enum class SectionId : std::uint8_t {
     positions = 4,
     companions = 5,
     attributes = 6,
-    names = 7,         // tag names and notes
-    order = 8,         // how to undo the strip's order
+    names = 7,  // tag names and notes
+    order = 8,  // how to undo the strip's order
 };
 inline constexpr std::uint8_t kLastSection = 8;
 

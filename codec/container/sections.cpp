@@ -19,9 +19,11 @@ Result<Section> read_section(ByteReader& in) {
     Section section;
     const auto start = in.at();
     const std::uint8_t id = in.u8();
-    if (!in.ok()) return Error{Code::truncated, start, "the file ends where a section should begin"};
+    if (!in.ok())
+        return Error{Code::truncated, start, "the file ends where a section should begin"};
     if (id > kLastSection)
-        return Error{Code::corrupt, start, "section " + std::to_string(id) + " is not known to this version"};
+        return Error{Code::corrupt, start,
+                     "section " + std::to_string(id) + " is not known to this version"};
     section.id = static_cast<SectionId>(id);
     if (section.id == SectionId::end) return section;
     const std::uint64_t size = in.varint();

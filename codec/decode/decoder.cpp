@@ -1,5 +1,5 @@
-// From a file to a mesh. Every count is checked against the bytes and the memory limit before anything
-// is allocated for it; the walk itself checks every code.
+// From a file to a mesh. Every count is checked against the bytes and the memory limit before
+// anything is allocated for it; the walk itself checks every code.
 #include "decode/decoder.h"
 
 #include <cstring>
@@ -24,7 +24,8 @@ std::uint64_t memory_of(const FileSections& file) {
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 64 : 52) + (order ? 16 : 0);
     const std::uint64_t per_cell = order ? 128 : 80, per_vertex = order ? 312 : 264;
-    return b.corners * per_corner + b.cells * per_cell + (b.vertices + b.unused_points) * per_vertex;
+    return b.corners * per_corner + b.cells * per_cell +
+           (b.vertices + b.unused_points) * per_vertex;
 }
 
 Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
@@ -34,14 +35,16 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     const std::uint8_t flags = in.u8(), fitted = in.u8();
     format.coarseness = flags & 3;
     format.has_outliers = (flags & 4) != 0;
-    bool sane = flags < 8 && fitted >> kConfigurations == 0 && (format.grid || !format.has_outliers);
+    bool sane =
+        flags < 8 && fitted >> kConfigurations == 0 && (format.grid || !format.has_outliers);
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {
             const std::int64_t w = unzigzag(in.varint());
             sane = sane && w >= -32768 && w <= 32767;
             format.weights[c][i] = static_cast<std::int16_t>(w);
         }
-    if (!sane || !in.ok()) return Error{Code::corrupt, in.at(), "the predictor's weights make no sense"};
+    if (!sane || !in.ok())
+        return Error{Code::corrupt, in.at(), "the predictor's weights make no sense"};
     if (head.lossless && head.kind == CellKind::tet) {
         for (double& x : format.place_origin) x = in.f64();
         format.place_scale = in.f64();
@@ -52,8 +55,8 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
 }
 
 // Writes coordinates of vertices that are points of their own, then of unused points.
-Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes, const std::vector<Id>& copy_of,
-                   std::size_t points) {
+Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes,
+                   const std::vector<Id>& copy_of, std::size_t points) {
     Array out = make_array(head.position_scalar, 3, points);
     const Grid grid{{head.origin[0], head.origin[1], head.origin[2]}, head.step};
     std::size_t p = 0, next_outlier = 0;
@@ -73,8 +76,8 @@ Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes, c
             } else if (outlier) {
                 store(axis, codes.outlier_bits()[next_outlier][axis]);
             } else {
-                const double x =
-                    coordinate_of(grid, axis, static_cast<std::int64_t>(value), head.position_scalar);
+                const double x = coordinate_of(grid, axis, static_cast<std::int64_t>(value),
+                                               head.position_scalar);
                 if (head.position_scalar == Scalar::f32)
                     out.as<float>()[3 * p + axis] = static_cast<float>(x);
                 else
@@ -88,17 +91,20 @@ Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes, c
 }
 
 // Cells of the walk as cells of the mesh: points instead of vertices, flipped ones turned back.
-void write_cells(const Walked& walked, const std::vector<Id>& point, const std::vector<std::uint8_t>& flipped,
-                 Mesh& mesh) {
+void write_cells(const Walked& walked, const std::vector<Id>& point,
+                 const std::vector<std::uint8_t>& flipped, Mesh& mesh) {
     mesh.corners.resize(walked.vertex.size());
     if (mesh.kind == CellKind::polygon) {
         mesh.corner_begin.resize(walked.first.size());
-        for (std::size_t c = 0; c < walked.first.size(); ++c) mesh.corner_begin[c] = walked.first[c];
+        for (std::size_t c = 0; c < walked.first.size(); ++c)
+            mesh.corner_begin[c] = walked.first[c];
     }
-    for (std::size_t i = 0; i < walked.vertex.size(); ++i) mesh.corners[i] = point[walked.vertex[i]];
+    for (std::size_t i = 0; i < walked.vertex.size(); ++i)
+        mesh.corners[i] = point[walked.vertex[i]];
     for (std::size_t c = 0; c < flipped.size(); ++c) {
         if (!flipped[c]) continue;
-        const auto begin = mesh.corners.begin() + walked.first[c], end = mesh.corners.begin() + walked.first[c + 1];
+        const auto begin = mesh.corners.begin() + walked.first[c],
+                   end = mesh.corners.begin() + walked.first[c + 1];
         if (mesh.kind == CellKind::tet)
             std::swap(begin[2], begin[3]);
         else if (begin != end)
@@ -111,12 +117,14 @@ Status run_walk(DecodeDriver& driver, const WalkLimits& limits, std::uint64_t at
     Walk walk(driver, limits);
     if (!walk.run() || driver.failed())
         return Error{Code::corrupt, at,
-                     "the codes of the strip lead astray at cell " + std::to_string(walk.walked().cell_count())};
+                     "the codes of the strip lead astray at cell " +
+                         std::to_string(walk.walked().cell_count())};
     out = walk.take();
     return Done{};
 }
 
-Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes& position_bytes, DecodedWalk& out) {
+Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes& position_bytes,
+                       DecodedWalk& out) {
     const BlockHead& block = file.block;
     const Section& section = section_of(file, SectionId::positions);
     ByteReader in(position_bytes, section.at);
@@ -135,8 +143,8 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.mirrored = block.mirrored;
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
-    // A flag costs at least 1/1386 bit; a cell or a vertex asks for one at least, and a cell for one per corner
-    // but for two.
+    // A flag costs at least 1/1386 bit; a cell or a vertex asks for one at least, and a cell for
+    // one per corner but for two.
     limits.plausible = (codes.size() + position_bytes.size() + 16) * 8 * 1386;
     const std::uint64_t at = section_of(file, SectionId::connectivity).at;
     if (block.cells > limits.plausible || block.vertices > limits.plausible ||
@@ -146,21 +154,26 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     DecodeDriver driver(codes, positions, position_bits, tets ? tet::kContexts : surface::kContexts,
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
-                        tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies, block.has_flips, tets);
+                        tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies,
+                        block.has_flips, tets);
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
 
-    const auto starts = static_cast<Index>(std::count(out.walked.gate.begin(), out.walked.gate.end(), kNone));
-    const auto links = static_cast<Index>(std::count(out.walked.by_link.begin(), out.walked.by_link.end(), 1));
+    const auto starts =
+        static_cast<Index>(std::count(out.walked.gate.begin(), out.walked.gate.end(), kNone));
+    const auto links =
+        static_cast<Index>(std::count(out.walked.by_link.begin(), out.walked.by_link.end(), 1));
     if (starts != block.components || links != block.links)
         return Error{Code::corrupt, at, "the strip has not as many parts as announced"};
     std::size_t points = 0;
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
     for (std::size_t v = 0; v < block.vertices; ++v)
-        out.point[v] = copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(points++) : out.point[copy_of[v]];
-    if (points != block.points) return Error{Code::corrupt, at, "the points are not as many as announced"};
+        out.point[v] = copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(points++)
+                                                              : out.point[copy_of[v]];
+    if (points != block.points)
+        return Error{Code::corrupt, at, "the points are not as many as announced"};
     for (Index i = 0; i < block.unused_points; ++i) {
         Stencil stencil;
         if (block.vertices + i > 0) stencil.at[0] = static_cast<Id>(block.vertices + i - 1);
@@ -177,8 +190,8 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
 }
 
 template <class Read>
-Status decode_section(const FileSections& file, SectionId id, std::uint64_t& budget, std::uint64_t growth,
-                      const Read& read) {
+Status decode_section(const FileSections& file, SectionId id, std::uint64_t& budget,
+                      std::uint64_t growth, const Read& read) {
     const Section& section = section_of(file, id);
     if (section.id == SectionId::end) return Done{};
     Result<Bytes> raw = unpack_section(section, budget, growth);
@@ -219,19 +232,24 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     if (!positions) return positions.error();
 
     DecodedWalk out;
-    if (Status status = decode_geometry(file, *codes, *positions, out); !status) return status.error();
+    if (Status status = decode_geometry(file, *codes, *positions, out); !status)
+        return status.error();
     Mesh& mesh = out.mesh;
-    if ((file.block.companions > 0) != (section_of(file, SectionId::companions).id != SectionId::end) ||
-        file.head.attributes.empty() != (section_of(file, SectionId::attributes).id == SectionId::end))
+    if ((file.block.companions > 0) !=
+            (section_of(file, SectionId::companions).id != SectionId::end) ||
+        file.head.attributes.empty() !=
+            (section_of(file, SectionId::attributes).id == SectionId::end))
         return Error{Code::corrupt, 0, "the heads and the sections contradict each other"};
-    // Growth: nodes are a byte in the file and twice eight in memory, while the order is restored; a block,
-    // a name or a note is a few dozen times its shortest form.
-    Status status = decode_section(file, SectionId::companions, budget, 40,
-                                   [&](ByteReader& in) { return read_companions(in, file.block, mesh); });
+    // Growth: nodes are a byte in the file and twice eight in memory, while the order is restored;
+    // a block, a name or a note is a few dozen times its shortest form.
+    Status status = decode_section(file, SectionId::companions, budget, 40, [&](ByteReader& in) {
+        return read_companions(in, file.block, mesh);
+    });
     if (!status) return status.error();
     if (status = charge_indices(file, mesh, budget); !status) return status.error();
-    status = decode_section(file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
-                            [&](ByteReader& in) { return read_attributes(in, file.head.attributes, mesh); });
+    status = decode_section(
+        file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
+        [&](ByteReader& in) { return read_attributes(in, file.head.attributes, mesh); });
     if (!status) return status.error();
     status = decode_section(file, SectionId::names, budget, 72,
                             [&](ByteReader& in) { return read_names(in, mesh); });
@@ -258,8 +276,8 @@ Result<Decoded> decode(std::span<const std::byte> bytes, const DecodeOptions& op
     Decoded decoded;
     decoded.mesh = std::move(walk->mesh);
     const Walked& walked = walk->walked;
-    // Facets as the mesh numbers them: a flipped cell's sides run backwards, its last corners are swapped;
-    // a kept order turns cells too.
+    // Facets as the mesh numbers them: a flipped cell's sides run backwards, its last corners are
+    // swapped; a kept order turns cells too.
     const auto local = [&](Id facet) {
         const Id cell = walked.cell_of[facet], degree = walked.first[cell + 1] - walked.first[cell];
         Id i = facet - walked.first[cell];

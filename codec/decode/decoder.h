@@ -12,7 +12,8 @@ struct DecodedWalk {
     std::vector<Id> point;              // vertex of the walk -> point in strip order
     std::vector<std::uint8_t> flipped;  // cell of the walk; empty where none is
     std::vector<Index> cell;            // cell of the walk -> cell of `mesh`
-    std::vector<std::uint32_t> turn;    // cell of the walk -> see Reorder; empty unless the order is kept
+    std::vector<std::uint32_t>
+        turn;  // cell of the walk -> see Reorder; empty unless the order is kept
 };
 
 Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options);

@@ -10,19 +10,23 @@ namespace ravel {
 Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std::uint64_t growth) {
     if (Status status = check_section(section); !status) return status.error();
     if (section.raw_size > budget / growth)
-        return Error{Code::limit_exceeded, section.at,
-                     std::string("section \"") + name_of(section.id) + "\" needs more memory than allowed"};
+        return Error{
+            Code::limit_exceeded, section.at,
+            std::string("section \"") + name_of(section.id) + "\" needs more memory than allowed"};
     if (section.packed && section.raw_size > most_unpacked(section.bytes.size()))
-        return Error{Code::corrupt, section.at,
-                     std::string("section \"") + name_of(section.id) + "\" can't hold as much as it says"};
+        return Error{
+            Code::corrupt, section.at,
+            std::string("section \"") + name_of(section.id) + "\" can't hold as much as it says"};
     budget -= section.raw_size * growth;
     if (!section.packed) return Bytes(section.bytes.begin(), section.bytes.end());
     return unpack(section.bytes, section.raw_size, section.at);
 }
 
 Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& budget) {
-    if (bytes.size() < kMagic.size() + 1 || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
-        return Error{Code::not_a_ravel_file, 0, "this is not a ravel file (its first bytes are not \"Rav1\")"};
+    if (bytes.size() < kMagic.size() + 1 ||
+        !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
+        return Error{Code::not_a_ravel_file, 0,
+                     "this is not a ravel file (its first bytes are not \"Rav1\")"};
     ByteReader in(bytes);
     in.raw(kMagic.size());
     const std::uint8_t version = in.u8();
@@ -39,8 +43,9 @@ Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& 
         if (section->id == SectionId::end) break;
         const auto id = static_cast<std::uint8_t>(section->id);
         if (id <= last)
-            return Error{Code::corrupt, section->at,
-                         std::string("section \"") + name_of(section->id) + "\" is out of its place"};
+            return Error{
+                Code::corrupt, section->at,
+                std::string("section \"") + name_of(section->id) + "\" is out of its place"};
         last = id;
         if (section->id == SectionId::head || section->id == SectionId::block) {
             // Four bytes can ask for an attribute, which is as much here and later in the mesh.
@@ -62,13 +67,18 @@ Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& 
         file.sections[id] = *section;
     }
     if (in.left() != 0)
-        return Error{Code::corrupt, in.at(), std::to_string(in.left()) + " bytes follow the end of the file"};
-    for (const SectionId id : {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
+        return Error{Code::corrupt, in.at(),
+                     std::to_string(in.left()) + " bytes follow the end of the file"};
+    for (const SectionId id :
+         {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
         if (file.sections[static_cast<std::size_t>(id)].id == SectionId::end)
-            return Error{Code::corrupt, bytes.size(), std::string("section \"") + name_of(id) + "\" is missing"};
-    const bool has_order = file.sections[static_cast<std::size_t>(SectionId::order)].id != SectionId::end;
+            return Error{Code::corrupt, bytes.size(),
+                         std::string("section \"") + name_of(id) + "\" is missing"};
+    const bool has_order =
+        file.sections[static_cast<std::size_t>(SectionId::order)].id != SectionId::end;
     if (has_order != file.head.keeps_order)
-        return Error{Code::corrupt, bytes.size(), "the head and the section \"order\" contradict each other"};
+        return Error{Code::corrupt, bytes.size(),
+                     "the head and the section \"order\" contradict each other"};
     return file;
 }
 
@@ -99,7 +109,8 @@ Result<FileInfo> inspect(std::span<const std::byte> bytes) {
     for (const Section& section : file->sections)
         if (section.id > SectionId::block)
             info.sections.push_back({name_of(section.id), section.bytes.size(), section.raw_size});
-    for (const AttributeHead& a : head.attributes) info.attributes.push_back({a.name, a.place, a.scalar, a.arity});
+    for (const AttributeHead& a : head.attributes)
+        info.attributes.push_back({a.name, a.place, a.scalar, a.arity});
     return info;
 }
 

@@ -21,8 +21,9 @@ struct FileSections {
 // `budget` is what may still be allocated; it shrinks.
 Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& budget);
 
-// A section's bytes, checked and unpacked. What becomes of them takes at most `growth` times their size,
-// themselves included.
-Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std::uint64_t growth = 1);
+// A section's bytes, checked and unpacked. What becomes of them takes at most `growth` times their
+// size, themselves included.
+Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget,
+                             std::uint64_t growth = 1);
 
 }  // namespace ravel

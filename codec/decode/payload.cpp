@@ -17,7 +17,9 @@ class DeltaReader {
     Index last_ = 0;
 };
 
-Error corrupt(const ByteReader& in, const char* why) { return {Code::corrupt, in.at(), why}; }
+Error corrupt(const ByteReader& in, const char* why) {
+    return {Code::corrupt, in.at(), why};
+}
 
 Status check_end(const ByteReader& in) {
     if (!in.ok()) return corrupt(in, "a section ends before its data do");
@@ -30,7 +32,8 @@ Status check_end(const ByteReader& in) {
 Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
     const std::uint64_t count = in.varint();
     // A block takes four bytes at least.
-    if (count != head.companions || count > in.left() / 4) return corrupt(in, "the companions are not as many as announced");
+    if (count != head.companions || count > in.left() / 4)
+        return corrupt(in, "the companions are not as many as announced");
     const Index points = mesh.point_count(), cells = mesh.cell_count();
     mesh.companions.reserve(count);
     for (std::uint64_t b = 0; b < count; ++b) {
@@ -43,7 +46,8 @@ Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
         block.vtk_type = static_cast<std::uint16_t>(type);
         block.nodes_per_cell = static_cast<std::uint32_t>(nodes);
         // Every node and host takes a byte at least.
-        if ((nodes > 0 && block.cell_count > in.left() / nodes) || (hosts == 1 && block.cell_count > in.left()))
+        if ((nodes > 0 && block.cell_count > in.left() / nodes) ||
+            (hosts == 1 && block.cell_count > in.left()))
             return corrupt(in, "a companion block with more cells than there are bytes");
         if (block.cell_count > kNoIndex / 4 - mesh.companion_count())
             return corrupt(in, "more companions than can be counted");
@@ -52,14 +56,16 @@ Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
             DeltaReader column(in);
             for (std::size_t i = k; i < block.nodes.size(); i += nodes) {
                 block.nodes[i] = column.next();
-                if (block.nodes[i] >= points) return corrupt(in, "a companion names a point that does not exist");
+                if (block.nodes[i] >= points)
+                    return corrupt(in, "a companion names a point that does not exist");
             }
         }
         if (hosts == 1) {
             block.hosts.resize(block.cell_count);
             DeltaReader column(in);
             for (Index& host : block.hosts)
-                if ((host = column.next()) >= cells) return corrupt(in, "a companion names a cell that does not exist");
+                if ((host = column.next()) >= cells)
+                    return corrupt(in, "a companion names a cell that does not exist");
         }
         mesh.companions.push_back(std::move(block));
     }
@@ -74,7 +80,8 @@ Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, 
         attribute.place = head.place;
         const Index elements = element_count(mesh, head.place);
         if (head.indexed && head.place != Place::mesh) {
-            if (elements > in.left()) return corrupt(in, "an attribute has fewer indices than elements");
+            if (elements > in.left())
+                return corrupt(in, "an attribute has fewer indices than elements");
             attribute.index.resize(elements);
             DeltaReader index(in);
             for (Index& i : attribute.index)
@@ -84,7 +91,8 @@ Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, 
             return corrupt(in, "an attribute has not one tuple per element");
         }
         const std::uint64_t stride = std::uint64_t{head.arity} * size_of(head.scalar);
-        if (head.tuples > in.left() / stride) return corrupt(in, "an attribute has fewer bytes than tuples");
+        if (head.tuples > in.left() / stride)
+            return corrupt(in, "an attribute has fewer bytes than tuples");
         attribute.values = array_of_planes(head.scalar, head.arity, in.raw(head.tuples * stride));
         attribute.references = head.references;
         mesh.attributes.push_back(std::move(attribute));
@@ -100,7 +108,8 @@ Status read_names(ByteReader& in, Mesh& mesh) {
         TagName name;
         name.attribute = in.text();
         const std::int64_t dimension = unzigzag(in.varint());
-        if (dimension < -1 || dimension > 3) return corrupt(in, "a name of a dimension that does not exist");
+        if (dimension < -1 || dimension > 3)
+            return corrupt(in, "a name of a dimension that does not exist");
         name.dimension = static_cast<std::int32_t>(dimension);
         name.value = unzigzag(in.varint());
         name.name = in.text();
@@ -121,8 +130,10 @@ Status read_names(ByteReader& in, Mesh& mesh) {
 Result<Reorder> read_order(ByteReader& in, const Mesh& mesh) {
     Reorder order;
     const Index points = mesh.point_count(), cells = mesh.cell_count();
-    if (points > in.left() || cells > in.left()) return corrupt(in, "the order has fewer bytes than elements");
-    for (auto [list, count] : {std::pair{&order.old_point, points}, std::pair{&order.old_cell, cells}}) {
+    if (points > in.left() || cells > in.left())
+        return corrupt(in, "the order has fewer bytes than elements");
+    for (auto [list, count] :
+         {std::pair{&order.old_point, points}, std::pair{&order.old_cell, cells}}) {
         std::vector<bool> taken(count, false);
         list->resize(count);
         DeltaReader delta(in);
@@ -135,7 +146,8 @@ Result<Reorder> read_order(ByteReader& in, const Mesh& mesh) {
     order.turn.resize(cells);
     for (Index c = 0; c < cells; ++c) {
         const std::uint64_t turn = in.varint();
-        const std::uint64_t most = mesh.kind == CellKind::tet ? 24 : std::max<std::uint64_t>(1, mesh.cell(c).size());
+        const std::uint64_t most =
+            mesh.kind == CellKind::tet ? 24 : std::max<std::uint64_t>(1, mesh.cell(c).size());
         if (turn >= most) return corrupt(in, "a cell starts with a corner that it has not");
         order.turn[c] = static_cast<std::uint32_t>(turn);
     }
@@ -183,7 +195,8 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
             if (attribute.index.empty())
                 moved.values = gather(attribute.values, *from);
             else
-                for (std::size_t i = 0; i < moved.index.size(); ++i) moved.index[i] = attribute.index[(*from)[i]];
+                for (std::size_t i = 0; i < moved.index.size(); ++i)
+                    moved.index[i] = attribute.index[(*from)[i]];
         }
         renumber(moved, order.old_point, order.old_cell);
         out.attributes.push_back(std::move(moved));

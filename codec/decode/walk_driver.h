@@ -1,4 +1,5 @@
-// The decoder's side of the walk: reads the answers, and the position of each new vertex on the way.
+// The decoder's side of the walk: reads the answers, and the position of each new vertex on the
+// way.
 #pragma once
 
 #include <vector>
@@ -23,8 +24,9 @@ struct ReadingCoder {
 class DecodeDriver {
   public:
     DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
-                 const FlagDecoder& position_bits, Context contexts, Context copy, Context copy_number,
-                 Context flip, bool has_copies, bool has_flips, bool wants_places)
+                 const FlagDecoder& position_bits, Context contexts, Context copy,
+                 Context copy_number, Context flip, bool has_copies, bool has_flips,
+                 bool wants_places)
         : in_(codes),
           positions_(positions),
           position_bits_(position_bits),
@@ -48,7 +50,8 @@ class DecodeDriver {
     void begin_cell(Id) {}
     void new_vertex(Id vertex, Id, const Stencil& stencil) {
         code_vertex(vertex, stencil);
-        if (wants_places_) places_.push_back(place_of(positions_.format(), positions_.values().back()));
+        if (wants_places_)
+            places_.push_back(place_of(positions_.format(), positions_.values().back()));
     }
     const Point3& place(Id vertex) const { return places_[vertex]; }
     void end_cell(Id) {
@@ -76,8 +79,8 @@ class DecodeDriver {
     void code_vertex(Id vertex, const Stencil& stencil) {
         Id of = kNone;
         if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {
-            const std::int64_t first =
-                static_cast<std::int64_t>(last_copied_ + static_cast<std::uint64_t>(unzigzag(number(copy_number_, 0))));
+            const std::int64_t first = static_cast<std::int64_t>(
+                last_copied_ + static_cast<std::uint64_t>(unzigzag(number(copy_number_, 0))));
             if (first < 0 || first >= static_cast<std::int64_t>(vertex) ||
                 copy_of_[static_cast<std::size_t>(first)] != kNone) {
                 bad_ = true;

@@ -41,7 +41,8 @@ double error_of(const Sample& s, const Solution& w, std::size_t n) {
     return e;
 }
 
-// log2(x) for x >= 1, straight between powers of two: the same on every machine, which std::log2 is not.
+// log2(x) for x >= 1, straight between powers of two: the same on every machine, which std::log2 is
+// not.
 double near_log2(double x) {
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);

@@ -1,4 +1,5 @@
-// Reads what FlagEncoder wrote. Any bytes are safe: past the end bits are zero, and `exhausted` tells.
+// Reads what FlagEncoder wrote. Any bytes are safe: past the end bits are zero, and `exhausted`
+// tells.
 #pragma once
 
 #include <array>
@@ -33,7 +34,8 @@ class FlagDecoder {
     bool exhausted() const { return past_ > 0; }
     // All bits were used, but for the padding of the last byte, which is zero.
     bool finished() const {
-        return position_ == bytes_.size() && held_ < 8 && (hold_ & ((std::uint64_t{1} << held_) - 1)) == 0;
+        return position_ == bytes_.size() && held_ < 8 &&
+               (hold_ & ((std::uint64_t{1} << held_) - 1)) == 0;
     }
 
   private:

@@ -19,7 +19,8 @@ class FlagEncoder {
     // The `count` low bits of `value`, most significant first, as they are; count <= 64.
     void plain(std::uint64_t value, int count) {
         while (count-- > 0)
-            events_.push_back(static_cast<std::uint8_t>(kFlagClasses << 1 | ((value >> count) & 1)));
+            events_.push_back(
+                static_cast<std::uint8_t>(kFlagClasses << 1 | ((value >> count) & 1)));
     }
 
     // One byte per flag is held until here. Linear.

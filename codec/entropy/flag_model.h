@@ -1,10 +1,11 @@
-// The adaptive probability of a yes/no code and the class it falls into. Encoder and decoder hold the
-// same models and update them alike, in integers.
+// The adaptive probability of a yes/no code and the class it falls into. Encoder and decoder hold
+// the same models and update them alike, in integers.
 //
-// A flag is not arithmetic-coded. Its model says which value is likely and how likely; the class groups
-// models of like certainty, and the flags of a class ("as expected" or "missed") are run-length coded
-// together. The run codes of all classes share one stream of bits, each run standing where the decoder
-// first needs it. [Howard1996] names the scheme interleaved coding; the runs are [Golomb1966] codes.
+// A flag is not arithmetic-coded. Its model says which value is likely and how likely; the class
+// groups models of like certainty, and the flags of a class ("as expected" or "missed") are
+// run-length coded together. The run codes of all classes share one stream of bits, each run
+// standing where the decoder first needs it. [Howard1996] names the scheme interleaved coding; the
+// runs are [Golomb1966] codes.
 #pragma once
 
 #include <array>
@@ -14,13 +15,13 @@ namespace ravel {
 
 inline constexpr int kFlagClasses = 15;
 
-// A run code of class c is `1` for kRunOf[c] flags as expected, or `0` and the length (below kRunOf[c])
-// of the run before a miss, in truncated binary. kRunOf is the length that has even odds at the
-// middle of the class.
+// A run code of class c is `1` for kRunOf[c] flags as expected, or `0` and the length (below
+// kRunOf[c]) of the run before a miss, in truncated binary. kRunOf is the length that has even odds
+// at the middle of the class.
 inline constexpr std::array<std::uint16_t, kFlagClasses> kRunOf{1,  2,  2,  3,   5,   7,   11,  17,
                                                                 26, 43, 69, 121, 231, 462, 1386};
-// Upper bounds of the chance of a miss, in 1/65536, from class 14 (least) down to class 1; above the
-// last is class 0.
+// Upper bounds of the chance of a miss, in 1/65536, from class 14 (least) down to class 1; above
+// the last is class 0.
 inline constexpr std::array<std::uint16_t, kFlagClasses - 1> kClassBound{
     65, 131, 262, 491, 819, 1310, 2162, 3276, 4915, 7208, 10485, 14417, 19660, 25559};
 

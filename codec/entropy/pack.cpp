@@ -31,9 +31,12 @@ Bytes pack(std::span<const std::byte> raw, int level) {
 }
 
 Result<Bytes> unpack(std::span<const std::byte> packed, std::uint64_t raw_size, std::uint64_t at) {
-    // One frame and nothing else: the library would also take several, skippable ones and old formats.
-    constexpr std::array<std::byte, 4> kFrame{std::byte{0x28}, std::byte{0xB5}, std::byte{0x2F}, std::byte{0xFD}};
-    if (packed.size() < kFrame.size() || !std::equal(kFrame.begin(), kFrame.end(), packed.begin()) ||
+    // One frame and nothing else: the library would also take several, skippable ones and old
+    // formats.
+    constexpr std::array<std::byte, 4> kFrame{std::byte{0x28}, std::byte{0xB5}, std::byte{0x2F},
+                                              std::byte{0xFD}};
+    if (packed.size() < kFrame.size() ||
+        !std::equal(kFrame.begin(), kFrame.end(), packed.begin()) ||
         ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size())
         return Error{Code::corrupt, at, "a packed section is not one zstd frame"};
     const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
@@ -42,7 +45,8 @@ Result<Bytes> unpack(std::span<const std::byte> packed, std::uint64_t raw_size, 
     const std::size_t size =
         ZSTD_decompressDCtx(context.get(), raw.data(), raw.size(), packed.data(), packed.size());
     if (ZSTD_isError(size))
-        return Error{Code::corrupt, at, std::string("a packed section is broken: ") + ZSTD_getErrorName(size)};
+        return Error{Code::corrupt, at,
+                     std::string("a packed section is broken: ") + ZSTD_getErrorName(size)};
     if (size != raw.size())
         return Error{Code::corrupt, at, "a packed section holds fewer bytes than its header says"};
     return raw;

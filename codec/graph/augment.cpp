@@ -26,7 +26,10 @@ enum class Goal : std::uint8_t { augment, extend };
 class Repair {
   public:
     Repair(const Graph& graph, EdgeSet& set, Goal goal)
-        : graph_(graph), set_(set), goal_(goal), degree_(degrees_in(graph, set)),
+        : graph_(graph),
+          set_(set),
+          goal_(goal),
+          degree_(degrees_in(graph, set)),
           visits_(2 * std::size_t{graph.node_count()}) {}
 
     int degree(GraphId node) const { return degree_[node]; }
@@ -63,8 +66,10 @@ class Repair {
 
     bool may_end(GraphId node) const {
         switch (goal_) {
-            case Goal::augment: return node == start_ ? degree_[node] == 0 : degree_[node] < 2;
-            case Goal::extend: return degree_[node] == 0;
+            case Goal::augment:
+                return node == start_ ? degree_[node] == 0 : degree_[node] < 2;
+            case Goal::extend:
+                return degree_[node] == 0;
         }
         return false;
     }
@@ -111,7 +116,8 @@ EdgeSet augment(const Graph& graph, EdgeSet set, const RepairLimits& limits) {
     // Short walks first, all over the graph: they leave the long ones less to do.
     for (const GraphId visits : {std::min<GraphId>(limits.visits, 24), limits.visits})
         for (GraphId n = 0; n < graph.node_count(); ++n)
-            while (repair.degree(n) < 2 && repair.search(n, visits) != kNoGraphId) {}
+            while (repair.degree(n) < 2 && repair.search(n, visits) != kNoGraphId) {
+            }
     return set;
 }
 

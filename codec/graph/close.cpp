@@ -17,14 +17,20 @@ namespace {
 using State = GraphId;  // 2 * node + (1 where full)
 
 constexpr int kMaxRounds = 8;  // per price; real meshes take one or two
-constexpr int kMaxPrice = 3;  // singletons a walk may make, about
+constexpr int kMaxPrice = 3;   // singletons a walk may make, about
 
 class Forest {
   public:
     Forest(const Graph& graph, EdgeSet& set)
-        : graph_(graph), set_(set), degree_(degrees_in(graph, set)), parts_(graph.parts),
-          ends_left_(parts_.count, 0), visits_(2 * std::size_t{graph.node_count()}),
-          touched_(graph.edge_count(), 0), active_(parts_.count, 1), joined_(parts_.count, 0) {
+        : graph_(graph),
+          set_(set),
+          degree_(degrees_in(graph, set)),
+          parts_(graph.parts),
+          ends_left_(parts_.count, 0),
+          visits_(2 * std::size_t{graph.node_count()}),
+          touched_(graph.edge_count(), 0),
+          active_(parts_.count, 1),
+          joined_(parts_.count, 0) {
         for (GraphId n = 0; n < graph.node_count(); ++n)
             if (degree_[n] == 1) ++ends_left_[parts_.of[n]];
     }

@@ -27,9 +27,9 @@ std::vector<std::uint8_t> thin(const Graph& graph) {
 
 struct Tours {
     const Graph& graph;
-    std::vector<GraphId> next;         // node -> first arc not yet looked at
-    std::vector<std::uint8_t> used;    // edge
-    std::vector<Arc> stack;            // node and the edge it was reached by
+    std::vector<GraphId> next;       // node -> first arc not yet looked at
+    std::vector<std::uint8_t> used;  // edge
+    std::vector<Arc> stack;          // node and the edge it was reached by
 
     // Calls visit(edge) along the tour that starts and ends at `start`, last edge first.
     template <class Visit>
@@ -68,8 +68,10 @@ EdgeSet euler_matching(const Graph& graph) {
     const Graph even = make_graph(nodes + 1, std::move(ends));
 
     EdgeSet set(graph.edge_count(), 0);
-    Tours tours{even, {even.first.begin(), even.first.end() - 1},
-                std::vector<std::uint8_t>(even.edge_count(), 0), {}};
+    Tours tours{even,
+                {even.first.begin(), even.first.end() - 1},
+                std::vector<std::uint8_t>(even.edge_count(), 0),
+                {}};
     const auto tour_from = [&](GraphId start) {
         bool in = true;
         tours.run(start, [&](GraphId e) {

@@ -25,9 +25,9 @@ struct Components {
 
 struct Graph {
     Components parts;
-    std::vector<GraphId> first;                  // nodes + 1
-    std::vector<Arc> arcs;                       // two per edge, ascending by edge at each node
-    std::vector<std::array<GraphId, 2>> ends;    // edge -> its nodes
+    std::vector<GraphId> first;                // nodes + 1
+    std::vector<Arc> arcs;                     // two per edge, ascending by edge at each node
+    std::vector<std::array<GraphId, 2>> ends;  // edge -> its nodes
 
     GraphId node_count() const {
         return first.empty() ? 0 : static_cast<GraphId>(first.size() - 1);

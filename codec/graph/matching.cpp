@@ -41,8 +41,10 @@ bool proves_maximum(const Graph& graph, const Matching& matching) {
     for (const auto& [a, b] : graph.ends)
         if (matching.barrier[a] == 0 && matching.barrier[b] == 0) parts.unite(a, b);
     for (GraphId n = 0; n < graph.node_count(); ++n) {
-        if (matching.barrier[n] != 0) ++barrier;
-        else odd += parts.find(n) == n && parts.size(n) % 2 == 1;
+        if (matching.barrier[n] != 0)
+            ++barrier;
+        else
+            odd += parts.find(n) == n && parts.size(n) % 2 == 1;
     }
     return unmatched == matching.unmatched && unmatched + barrier == odd;
 }

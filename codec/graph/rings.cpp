@@ -34,17 +34,24 @@ struct Ring {
 // Where a ring cuts a strip: between two neighbours in its rope's order.
 struct Cut {
     GraphId strip = 0;
-    GraphId rank = 0;   // of the node before the cut
-    int link = 0;       // of the ring
+    GraphId rank = 0;      // of the node before the cut
+    int link = 0;          // of the ring
     bool forward = false;  // the tail is before the cut
 };
 
 class Merger {
   public:
     Merger(const Graph& graph, EdgeSet& set, const RingLimits& limits)
-        : graph_(graph), set_(set), limits_(limits), strips_(list_strips(graph, set)),
-          parts_(graph.parts), part_size_(parts_.count, 0), sets_(strips_.count()),
-          open_(strips_.count(), 0), ropes_(strips_.count()), place_(graph.node_count(), 0) {
+        : graph_(graph),
+          set_(set),
+          limits_(limits),
+          strips_(list_strips(graph, set)),
+          parts_(graph.parts),
+          part_size_(parts_.count, 0),
+          sets_(strips_.count()),
+          open_(strips_.count(), 0),
+          ropes_(strips_.count()),
+          place_(graph.node_count(), 0) {
         for (GraphId node = 0; node < graph.node_count(); ++node) ++part_size_[parts_.of[node]];
         for (GraphId s = 0; s < strips_.count(); ++s) {
             open_[s] = strips_.shape[s] == StripShape::path;
@@ -247,8 +254,8 @@ class Merger {
     std::vector<GraphId> part_size_;
     UnionFind sets_;
     std::vector<std::uint8_t> open_;
-    std::vector<Rope> ropes_;      // set of strips -> order
-    std::vector<GraphId> place_;   // node -> place in its rope
+    std::vector<Rope> ropes_;     // set of strips -> order
+    std::vector<GraphId> place_;  // node -> place in its rope
     Ring ring_;
     std::vector<Cut> cuts_;
     std::vector<Walked> walked_;

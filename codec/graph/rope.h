@@ -46,7 +46,7 @@ class Rope {
     void tidy(std::vector<GraphId>& place);
 
     std::vector<GraphId> nodes_;
-    std::vector<Run> runs_;        // in order
+    std::vector<Run> runs_;          // in order
     std::vector<GraphId> by_place_;  // runs by their places
 };
 

@@ -13,7 +13,9 @@
 namespace ravel {
 namespace {
 
-GraphId dopes_of(GraphId degree) { return degree < 2 ? 0 : degree - 2; }
+GraphId dopes_of(GraphId degree) {
+    return degree < 2 ? 0 : degree - 2;
+}
 
 }  // namespace
 
@@ -61,8 +63,7 @@ TemplateFactor template_factor(const Graph& graph, const Matching& inflated) {
             --degree[arc.to];
         }
     }
-    result.two_factor =
-        std::all_of(degree.begin(), degree.end(), [](GraphId d) { return d == 2; });
+    result.two_factor = std::all_of(degree.begin(), degree.end(), [](GraphId d) { return d == 2; });
     return result;
 }
 

@@ -11,9 +11,9 @@ namespace ravel {
 Graph inflate(const Graph& graph);
 
 struct TemplateFactor {
-    EdgeSet set;                // as many edges as any 2-matching has
-    bool two_factor = false;    // every node has two edges; false where there is no 2-factor at all
-    GraphId unmatched = 0;      // nodes of the inflated graph, the fewest possible
+    EdgeSet set;              // as many edges as any 2-matching has
+    bool two_factor = false;  // every node has two edges; false where there is no 2-factor at all
+    GraphId unmatched = 0;    // nodes of the inflated graph, the fewest possible
 };
 
 // Near-linear on the graphs of meshes, with several times the nodes.

@@ -9,7 +9,8 @@
 namespace ravel {
 namespace {
 
-// The points of a facet in ascending order, and whether its own order is an odd permutation of that.
+// The points of a facet in ascending order, and whether its own order is an odd permutation of
+// that.
 struct FacetKey {
     std::array<Id, 3> points{kNone, kNone, kNone};
     bool odd = false;
@@ -17,7 +18,8 @@ struct FacetKey {
 };
 
 // Outward orientation of the facet opposite each corner: the boundary of an oriented simplex.
-constexpr std::array<std::array<int, 3>, 4> kTetFacets{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr std::array<std::array<int, 3>, 4> kTetFacets{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 class Gluer {
   public:
@@ -43,7 +45,7 @@ class Gluer {
         out_.first.resize(std::size_t{cells} + 1);
         out_.cell_of.resize(facets);
         for (Id c = 0; c <= cells; ++c)
-            out_.first[c] = mesh_.kind == CellKind::tet ? 4 * c
+            out_.first[c] = mesh_.kind == CellKind::tet  ? 4 * c
                             : mesh_.corner_begin.empty() ? 0
                                                          : static_cast<Id>(mesh_.corner_begin[c]);
         for (Id c = 0; c < cells; ++c)
@@ -67,7 +69,8 @@ class Gluer {
         } else {
             key.points[0] = point_at(facet);
             key.points[1] = point_at(out_.next_in_cell(facet));
-            if (key.points[0] > key.points[1]) std::swap(key.points[0], key.points[1]), key.odd = true;
+            if (key.points[0] > key.points[1])
+                std::swap(key.points[0], key.points[1]), key.odd = true;
             key.degenerate = key.points[0] == key.points[1];
         }
         return key;
@@ -108,9 +111,9 @@ class Gluer {
         }
     }
 
-    // Facets with the same points. Two are glued as they are. Of more, pairs that already run in opposite
-    // directions are glued, first come first served, but not a cell with its own double; of tets only
-    // one pair, so that the points of a facet name at most one gluing.
+    // Facets with the same points. Two are glued as they are. Of more, pairs that already run in
+    // opposite directions are glued, first come first served, but not a cell with its own double;
+    // of tets only one pair, so that the points of a facet name at most one gluing.
     void glue_group() {
         if (group_.size() == 2) {
             if (out_.cell_of[group_[0]] != out_.cell_of[group_[1]]) glue(group_[0], group_[1]);
@@ -120,7 +123,8 @@ class Gluer {
             for (std::size_t j = i; j-- > 0 && i - j < 16;) {
                 const Id a = group_[j], b = group_[i];
                 if (out_.twin[a] != kNone || odd_[a] == odd_[b]) continue;
-                if (out_.cell_of[a] == out_.cell_of[b] || same_points(out_.cell_of[a], out_.cell_of[b]))
+                if (out_.cell_of[a] == out_.cell_of[b] ||
+                    same_points(out_.cell_of[a], out_.cell_of[b]))
                     continue;
                 glue(a, b);
                 if (mesh_.kind == CellKind::tet) return;
@@ -210,8 +214,8 @@ class Gluer {
         }
     }
 
-    // Only a cell that repeats a point can do so; it becomes a component of its own. Quadratic in the
-    // degree of such cells alone.
+    // Only a cell that repeats a point can do so; it becomes a component of its own. Quadratic in
+    // the degree of such cells alone.
     bool isolate_cells_meeting_a_vertex_twice() {
         bool any = false;
         for (Id c = 0; c < out_.cell_count(); ++c) {
@@ -275,8 +279,9 @@ Result<Complex> build_complex(const Mesh& mesh) {
     constexpr Index kMostTets = 357913941;  // three edge slots per facet are counted in 32 bits
     if (mesh.corners.size() + mesh.point_count() >= kMost || mesh.cell_count() >= kMost ||
         (mesh.kind == CellKind::tet && mesh.cell_count() >= kMostTets))
-        return Error{Code::limit_exceeded, mesh.cell_count(),
-                     "one block holds fewer than 4294967294 points and corners, and 357913941 tets"};
+        return Error{
+            Code::limit_exceeded, mesh.cell_count(),
+            "one block holds fewer than 4294967294 points and corners, and 357913941 tets"};
     Complex complex;
     Gluer(mesh, complex).run();
     return complex;

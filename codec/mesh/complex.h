@@ -1,8 +1,9 @@
 // The mesh as strip and walker see it: cells glued facet to facet, everything else cut.
-// A facet is glued to at most one other, glued facets run in opposite directions, no cell is glued to
-// itself or meets the same vertex twice, and the cells around a vertex hang together by facets. What
-// of the mesh breaks that (non-manifold facets and vertices, Moebius seams, repeated corners) is cut:
-// facets become borders, points become several vertices, cells are flipped; `point` and `flipped` undo it.
+// A facet is glued to at most one other, glued facets run in opposite directions, no cell is glued
+// to itself or meets the same vertex twice, and the cells around a vertex hang together by facets.
+// What of the mesh breaks that (non-manifold facets and vertices, Moebius seams, repeated corners)
+// is cut: facets become borders, points become several vertices, cells are flipped; `point` and
+// `flipped` undo it.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +21,13 @@ inline constexpr Id kNone = ~Id{0};
 // Tet: facet i lies opposite corner i.
 struct Complex {
     CellKind kind = CellKind::polygon;
-    std::vector<Id> first;              // cells + 1
-    std::vector<Id> cell_of;            // facet -> cell
-    std::vector<Id> twin;               // facet -> the facet glued to it, or kNone at a border
-    std::vector<Id> vertex;             // corner -> vertex
-    std::vector<Id> point;              // vertex -> point of the mesh
-    std::vector<std::uint8_t> flipped;  // cell -> 1 where its orientation is the reverse of the mesh's
+    std::vector<Id> first;    // cells + 1
+    std::vector<Id> cell_of;  // facet -> cell
+    std::vector<Id> twin;     // facet -> the facet glued to it, or kNone at a border
+    std::vector<Id> vertex;   // corner -> vertex
+    std::vector<Id> point;    // vertex -> point of the mesh
+    std::vector<std::uint8_t>
+        flipped;  // cell -> 1 where its orientation is the reverse of the mesh's
 
     Id cell_count() const { return first.empty() ? 0 : static_cast<Id>(first.size() - 1); }
     Id degree(Id cell) const { return first[cell + 1] - first[cell]; }

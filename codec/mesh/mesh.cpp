@@ -7,47 +7,68 @@ namespace ravel {
 std::size_t size_of(Scalar scalar) {
     switch (scalar) {
         case Scalar::u8:
-        case Scalar::i8: return 1;
+        case Scalar::i8:
+            return 1;
         case Scalar::u16:
-        case Scalar::i16: return 2;
+        case Scalar::i16:
+            return 2;
         case Scalar::u32:
         case Scalar::i32:
-        case Scalar::f32: return 4;
+        case Scalar::f32:
+            return 4;
         case Scalar::u64:
         case Scalar::i64:
-        case Scalar::f64: return 8;
+        case Scalar::f64:
+            return 8;
     }
     return 0;
 }
 
 const char* name_of(Scalar scalar) {
     switch (scalar) {
-        case Scalar::u8: return "uint8";
-        case Scalar::i8: return "int8";
-        case Scalar::u16: return "uint16";
-        case Scalar::i16: return "int16";
-        case Scalar::u32: return "uint32";
-        case Scalar::i32: return "int32";
-        case Scalar::u64: return "uint64";
-        case Scalar::i64: return "int64";
-        case Scalar::f32: return "float32";
-        case Scalar::f64: return "float64";
+        case Scalar::u8:
+            return "uint8";
+        case Scalar::i8:
+            return "int8";
+        case Scalar::u16:
+            return "uint16";
+        case Scalar::i16:
+            return "int16";
+        case Scalar::u32:
+            return "uint32";
+        case Scalar::i32:
+            return "int32";
+        case Scalar::u64:
+            return "uint64";
+        case Scalar::i64:
+            return "int64";
+        case Scalar::f32:
+            return "float32";
+        case Scalar::f64:
+            return "float64";
     }
     return "unknown";
 }
 
 const char* name_of(Place place) {
     switch (place) {
-        case Place::point: return "point";
-        case Place::corner: return "corner";
-        case Place::cell: return "cell";
-        case Place::companion: return "companion";
-        case Place::mesh: return "mesh";
+        case Place::point:
+            return "point";
+        case Place::corner:
+            return "corner";
+        case Place::cell:
+            return "cell";
+        case Place::companion:
+            return "companion";
+        case Place::mesh:
+            return "mesh";
     }
     return "unknown";
 }
 
-const char* name_of(CellKind kind) { return kind == CellKind::tet ? "tet" : "polygon"; }
+const char* name_of(CellKind kind) {
+    return kind == CellKind::tet ? "tet" : "polygon";
+}
 
 Array make_array(Scalar scalar, std::uint32_t arity, std::size_t count) {
     Array array{scalar, arity, {}};
@@ -57,12 +78,15 @@ Array make_array(Scalar scalar, std::uint32_t arity, std::size_t count) {
 
 namespace {
 
-Error bad(std::uint64_t at, std::string detail) { return {Code::bad_mesh, at, std::move(detail)}; }
+Error bad(std::uint64_t at, std::string detail) {
+    return {Code::bad_mesh, at, std::move(detail)};
+}
 
 Status check_cells(const Mesh& mesh) {
     if (mesh.kind == CellKind::tet) {
         if (!mesh.corner_begin.empty()) return bad(0, "a tet mesh has no corner_begin");
-        if (mesh.corners.size() % 4 != 0) return bad(mesh.corners.size() / 4, "tets have four corners each");
+        if (mesh.corners.size() % 4 != 0)
+            return bad(mesh.corners.size() / 4, "tets have four corners each");
     } else {
         if (mesh.corner_begin.empty() && !mesh.corners.empty())
             return bad(0, "a polygon mesh with corners needs corner_begin");
@@ -71,7 +95,8 @@ Status check_cells(const Mesh& mesh) {
             return bad(0, "corner_begin runs from 0 to the number of corners");
         for (std::size_t c = 1; c < mesh.corner_begin.size(); ++c)
             if (mesh.corner_begin[c] < mesh.corner_begin[c - 1])
-                return bad(c - 1, "corner_begin must not descend (cell " + std::to_string(c - 1) + ")");
+                return bad(c - 1,
+                           "corner_begin must not descend (cell " + std::to_string(c - 1) + ")");
     }
     const Index points = mesh.point_count();
     for (std::size_t i = 0; i < mesh.corners.size(); ++i)
@@ -86,9 +111,10 @@ Status check_companions(const Mesh& mesh) {
     for (std::size_t b = 0; b < mesh.companions.size(); ++b) {
         const CompanionBlock& block = mesh.companions[b];
         const std::string where = "companion block " + std::to_string(b);
-        if (block.nodes_per_cell == 0 ? !block.nodes.empty()
-                                      : block.nodes.size() % block.nodes_per_cell != 0 ||
-                                            block.nodes.size() / block.nodes_per_cell != block.cell_count)
+        if (block.nodes_per_cell == 0
+                ? !block.nodes.empty()
+                : block.nodes.size() % block.nodes_per_cell != 0 ||
+                      block.nodes.size() / block.nodes_per_cell != block.cell_count)
             return bad(b, where + " has not cell_count * nodes_per_cell nodes");
         if (!block.hosts.empty() && block.hosts.size() != block.cell_count)
             return bad(b, where + " has not one host per cell");
@@ -107,15 +133,17 @@ Status check_references(const Mesh& mesh, const Attribute& attribute, std::size_
         const Reference& r = attribute.references[i];
         if (i > 0 && r.component <= attribute.references[i - 1].component)
             return bad(a, where + " lists its references in another order than by component");
-        if (is_float(scalar) || size_of(scalar) < 4) return bad(a, where + " refers by something else than 32-bit integers");
-        if (r.component >= attribute.values.arity || (r.place != Place::point && r.place != Place::cell))
+        if (is_float(scalar) || size_of(scalar) < 4)
+            return bad(a, where + " refers by something else than 32-bit integers");
+        if (r.component >= attribute.values.arity ||
+            (r.place != Place::point && r.place != Place::cell))
             return bad(a, where + " refers by a component it has not, or to what has no order");
         const Index count = element_count(mesh, r.place);
         const std::int64_t most = scalar == Scalar::i32   ? std::int64_t{0x7FFFFFFF}
                                   : scalar == Scalar::u32 ? std::int64_t{0xFFFFFFFF}
                                                           : std::int64_t{1} << 62;
         const bool has_sign = scalar == Scalar::i32 || scalar == Scalar::i64;
-        const std::int64_t least = !has_sign                ? 0
+        const std::int64_t least = !has_sign               ? 0
                                    : scalar == Scalar::i32 ? -(std::int64_t{1} << 31)
                                                            : -(std::int64_t{1} << 40);
         if (r.base < least || r.base > std::int64_t{1} << 40 ||
@@ -153,11 +181,16 @@ Status check_attributes(const Mesh& mesh) {
 
 Index element_count(const Mesh& mesh, Place place) {
     switch (place) {
-        case Place::point: return mesh.point_count();
-        case Place::corner: return mesh.corners.size();
-        case Place::cell: return mesh.cell_count();
-        case Place::companion: return mesh.companion_count();
-        case Place::mesh: return 0;
+        case Place::point:
+            return mesh.point_count();
+        case Place::corner:
+            return mesh.corners.size();
+        case Place::cell:
+            return mesh.cell_count();
+        case Place::companion:
+            return mesh.companion_count();
+        case Place::mesh:
+            return 0;
     }
     return 0;
 }

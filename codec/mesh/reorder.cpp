@@ -33,27 +33,35 @@ std::vector<Index> inverse_of(const std::vector<Index>& from, Index count) {
 namespace {
 
 template <class Integer>
-void renumber_as(Attribute& attribute, const std::vector<Index>& point, const std::vector<Index>& cell) {
+void renumber_as(Attribute& attribute, const std::vector<Index>& point,
+                 const std::vector<Index>& cell) {
     const auto values = attribute.values.as<Integer>();
     for (const Reference& r : attribute.references) {
         const std::vector<Index>& map = r.place == Place::point ? point : cell;
         for (std::size_t i = r.component; i < values.size(); i += attribute.values.arity) {
             const auto n = static_cast<Index>(values[i]) - static_cast<Index>(r.base);
-            if (n < map.size()) values[i] = static_cast<Integer>(map[n] + static_cast<Index>(r.base));
+            if (n < map.size())
+                values[i] = static_cast<Integer>(map[n] + static_cast<Index>(r.base));
         }
     }
 }
 
 }  // namespace
 
-void renumber(Attribute& attribute, const std::vector<Index>& point, const std::vector<Index>& cell) {
+void renumber(Attribute& attribute, const std::vector<Index>& point,
+              const std::vector<Index>& cell) {
     if (attribute.references.empty()) return;
     switch (attribute.values.scalar) {
-        case Scalar::i32: return renumber_as<std::int32_t>(attribute, point, cell);
-        case Scalar::u32: return renumber_as<std::uint32_t>(attribute, point, cell);
-        case Scalar::i64: return renumber_as<std::int64_t>(attribute, point, cell);
-        case Scalar::u64: return renumber_as<std::uint64_t>(attribute, point, cell);
-        default: return;
+        case Scalar::i32:
+            return renumber_as<std::int32_t>(attribute, point, cell);
+        case Scalar::u32:
+            return renumber_as<std::uint32_t>(attribute, point, cell);
+        case Scalar::i64:
+            return renumber_as<std::int64_t>(attribute, point, cell);
+        case Scalar::u64:
+            return renumber_as<std::uint64_t>(attribute, point, cell);
+        default:
+            return;
     }
 }
 

@@ -11,10 +11,11 @@ namespace ravel {
 
 // New is the strip's order, old the order of the mesh that was encoded.
 struct Reorder {
-    std::vector<Index> old_point;      // new point -> old point
-    std::vector<Index> old_cell;       // new cell -> old cell
-    std::vector<std::uint32_t> turn;   // new cell -> polygons: the old corner it starts with; tets: its
-                                       // permutation, the number of (old corner of new corner 0, 1, 2, 3)
+    std::vector<Index> old_point;  // new point -> old point
+    std::vector<Index> old_cell;   // new cell -> old cell
+    std::vector<std::uint32_t>
+        turn;  // new cell -> polygons: the old corner it starts with; tets: its
+               // permutation, the number of (old corner of new corner 0, 1, 2, 3)
 };
 
 // Permutations of 0 1 2 3 in lexicographic order.
@@ -22,7 +23,8 @@ std::array<std::uint8_t, 4> tet_turn(std::uint32_t number);
 std::uint32_t number_of_tet_turn(const std::array<std::uint8_t, 4>& permutation);
 
 // Old corner (within its cell of `degree` corners) that is new corner `i`.
-inline std::uint32_t old_corner(CellKind kind, std::uint32_t turn, std::uint32_t degree, std::uint32_t i) {
+inline std::uint32_t old_corner(CellKind kind, std::uint32_t turn, std::uint32_t degree,
+                                std::uint32_t i) {
     if (kind == CellKind::tet) return tet_turn(turn)[i];
     const std::uint64_t j = std::uint64_t{turn} + i;
     return static_cast<std::uint32_t>(j < degree ? j : j - degree);
@@ -31,12 +33,14 @@ inline std::uint32_t old_corner(CellKind kind, std::uint32_t turn, std::uint32_t
 // from[new] = old turned round; `count` is the size of the old side.
 std::vector<Index> inverse_of(const std::vector<Index>& from, Index count);
 
-// Renumbers the elements that `attribute` refers to: number n of a point becomes point[n], of a cell
-// cell[n]; what names no element stays.
-void renumber(Attribute& attribute, const std::vector<Index>& point, const std::vector<Index>& cell);
+// Renumbers the elements that `attribute` refers to: number n of a point becomes point[n], of a
+// cell cell[n]; what names no element stays.
+void renumber(Attribute& attribute, const std::vector<Index>& point,
+              const std::vector<Index>& cell);
 
 // Puts the nodes of a block of quadratic tets' edge nodes (VTK order) where a turn of their tet has
-// them: `turn_of(host)` is the number of the permutation. Back again with `back`. Other blocks stay.
+// them: `turn_of(host)` is the number of the permutation. Back again with `back`. Other blocks
+// stay.
 template <class TurnOf>
 void turn_edge_nodes(CompanionBlock& block, bool back, TurnOf turn_of) {
     constexpr std::uint8_t kEdge[4][4] = {{0, 0, 2, 3}, {0, 0, 1, 4}, {2, 1, 0, 5}, {3, 4, 5, 0}};

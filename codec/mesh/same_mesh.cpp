@@ -9,7 +9,9 @@
 namespace ravel {
 namespace {
 
-std::string text_of(Index i) { return std::to_string(i); }
+std::string text_of(Index i) {
+    return std::to_string(i);
+}
 
 // Is `map` one to one onto [0, count)?
 bool is_permutation(const std::vector<Index>& map, Index count) {
@@ -49,11 +51,12 @@ class Comparer {
     void connectivity() {
         if (a_.kind != b_.kind) return differ("the cells are of another kind");
         if (a_.point_count() != b_.point_count())
-            return differ(text_of(a_.point_count()) + " points became " + text_of(b_.point_count()));
+            return differ(text_of(a_.point_count()) + " points became " +
+                          text_of(b_.point_count()));
         if (a_.cell_count() != b_.cell_count())
             return differ(text_of(a_.cell_count()) + " cells became " + text_of(b_.cell_count()));
-        if (!is_permutation(order_.point, a_.point_count()) || !is_permutation(order_.cell, a_.cell_count()) ||
-            order_.turn.size() != a_.cell_count())
+        if (!is_permutation(order_.point, a_.point_count()) ||
+            !is_permutation(order_.cell, a_.cell_count()) || order_.turn.size() != a_.cell_count())
             return differ("the order maps are no permutations");
         for (Index c = 0; c < a_.cell_count(); ++c) {
             const auto old_cell = a_.cell(c), new_cell = b_.cell(order_.cell[c]);
@@ -61,13 +64,15 @@ class Comparer {
             const std::uint32_t degree = degree_of(a_, c);
             if (a_.kind == CellKind::polygon && degree > 0) same = same && order_.turn[c] < degree;
             for (std::uint32_t i = 0; i < degree && same; ++i)
-                same = order_.point[old_cell[old_corner(a_.kind, order_.turn[c], degree, i)]] == new_cell[i];
+                same = order_.point[old_cell[old_corner(a_.kind, order_.turn[c], degree, i)]] ==
+                       new_cell[i];
             if (!same) return differ("cell " + text_of(c) + " came back with other corners");
         }
         if (!companions()) return;
         out_.connectivity_equal = true;
         out_.order_kept = true;
-        for (Index p = 0; p < a_.point_count() && out_.order_kept; ++p) out_.order_kept = order_.point[p] == p;
+        for (Index p = 0; p < a_.point_count() && out_.order_kept; ++p)
+            out_.order_kept = order_.point[p] == p;
         for (Index c = 0; c < a_.cell_count() && out_.order_kept; ++c)
             out_.order_kept = order_.cell[c] == c && order_.turn[c] == 0;
     }
@@ -85,8 +90,10 @@ class Comparer {
             bool same = x.vtk_type == y.vtk_type && x.nodes_per_cell == y.nodes_per_cell &&
                         x.cell_count == y.cell_count && x.nodes.size() == y.nodes.size() &&
                         x.hosts.size() == y.hosts.size();
-            for (std::size_t k = 0; k < x.nodes.size() && same; ++k) same = order_.point[x.nodes[k]] == y.nodes[k];
-            for (std::size_t k = 0; k < x.hosts.size() && same; ++k) same = order_.cell[x.hosts[k]] == y.hosts[k];
+            for (std::size_t k = 0; k < x.nodes.size() && same; ++k)
+                same = order_.point[x.nodes[k]] == y.nodes[k];
+            for (std::size_t k = 0; k < x.hosts.size() && same; ++k)
+                same = order_.cell[x.hosts[k]] == y.hosts[k];
             if (!same) {
                 differ("companion block " + text_of(i) + " came back changed");
                 return false;
@@ -104,22 +111,25 @@ class Comparer {
                 return differ("the positions are of another type");
             }
             for (Index p = 0; p < a_.point_count(); ++p)
-                if (std::memcmp(x.bytes.data() + p * x.stride(), y.bytes.data() + order_.point[p] * x.stride(),
-                                x.stride()) != 0) {
+                if (std::memcmp(x.bytes.data() + p * x.stride(),
+                                y.bytes.data() + order_.point[p] * x.stride(), x.stride()) != 0) {
                     out_.positions_equal = false;
                     return differ("point " + text_of(p) + " came back with other bits");
                 }
             return;
         }
         const auto value = [](const Array& array, Index i) {
-            return array.scalar == Scalar::f32 ? static_cast<double>(array.as<float>()[i]) : array.as<double>()[i];
+            return array.scalar == Scalar::f32 ? static_cast<double>(array.as<float>()[i])
+                                               : array.as<double>()[i];
         };
         for (Index p = 0; p < a_.point_count(); ++p)
             for (Index axis = 0; axis < 3; ++axis) {
                 const double u = value(x, 3 * p + axis), v = value(y, 3 * order_.point[p] + axis);
                 const double error = std::abs(u - v);
-                if (std::isfinite(u) && std::isfinite(v)) out_.max_error = std::max(out_.max_error, error);
-                const bool same = std::isfinite(u) ? error <= bound_ : std::memcmp(&u, &v, sizeof u) == 0;
+                if (std::isfinite(u) && std::isfinite(v))
+                    out_.max_error = std::max(out_.max_error, error);
+                const bool same =
+                    std::isfinite(u) ? error <= bound_ : std::memcmp(&u, &v, sizeof u) == 0;
                 if (!same && out_.positions_equal) {
                     out_.positions_equal = false;
                     differ("point " + text_of(p) + " came back farther away than the bound");
@@ -174,7 +184,8 @@ class Comparer {
         const std::size_t stride = x.values.stride();
         for (Index i = 0; i < x.values.count(); ++i)
             if (std::memcmp(x.values.bytes.data() + i * stride,
-                            y.values.bytes.data() + (map != nullptr ? (*map)[i] : i) * stride, stride) != 0)
+                            y.values.bytes.data() + (map != nullptr ? (*map)[i] : i) * stride,
+                            stride) != 0)
                 return false;
         return true;
     }
@@ -191,7 +202,8 @@ class Comparer {
             return x.attribute == y.attribute && x.dimension == y.dimension && x.value == y.value &&
                    x.name == y.name;
         };
-        bool names = a_.tag_names.size() == b_.tag_names.size() && a_.notes.size() == b_.notes.size();
+        bool names =
+            a_.tag_names.size() == b_.tag_names.size() && a_.notes.size() == b_.notes.size();
         for (std::size_t i = 0; names && i < a_.tag_names.size(); ++i)
             names = same_names(a_.tag_names[i], b_.tag_names[i]);
         for (std::size_t i = 0; names && i < a_.notes.size(); ++i)
@@ -211,7 +223,8 @@ class Comparer {
 
 }  // namespace
 
-Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order, double bound) {
+Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order,
+                          double bound) {
     return Comparer(original, decoded, order, bound).run();
 }
 

@@ -10,18 +10,18 @@
 
 namespace ravel {
 
-// The known vertices around a new one, in roles that depend on the configuration; kNone where there is
-// none. Predictors weigh them. In a quad a b c d is entered through a -> b: the cell before has u_a and v_b
-// beyond a and b, and the cell before that w_a and w_b beyond these; a cell behind the zipped side b -> c has
-// u_b and v_c beyond b and c, and the next one x_b and x_c.
+// The known vertices around a new one, in roles that depend on the configuration; kNone where there
+// is none. Predictors weigh them. In a quad a b c d is entered through a -> b: the cell before has
+// u_a and v_b beyond a and b, and the cell before that w_a and w_b beyond these; a cell behind the
+// zipped side b -> c has u_b and v_c beyond b and c, and the next one x_b and x_c.
 enum class Configuration : std::uint8_t {
-    seed,         // first cell of a component: [previous vertex, the one before, the one before that]
+    seed,  // first cell of a component: [previous vertex, the one before, the one before that]
     quad_third,   // quad, new corner follows b, the last one unknown too: [b a v_b u_a w_b w_a]
     quad_fourth,  // quad, last corner, third new: [a c b u_a v_b w_a w_b]
     quad_corner,  // quad, last corner, third from a zip: [a c b u_a v_b w_a w_b v_c u_b x_c x_b]
     triangle,     // [a b u_a v_b]
-    polygon,      // other degrees: [previous corner, the one before, the one before that, next known]
-    tet,          // [x0 x1 x2 o y0 y1 y2]: gate, the apex behind it, the apexes across its edges
+    polygon,  // other degrees: [previous corner, the one before, the one before that, next known]
+    tet,      // [x0 x1 x2 o y0 y1 y2]: gate, the apex behind it, the apexes across its edges
     count,
 };
 inline constexpr std::size_t kStencilSize = 11;

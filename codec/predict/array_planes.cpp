@@ -40,11 +40,13 @@ Bytes planes_of(const Array& array) {
     std::vector<std::uint64_t> last(array.arity, 0);
     std::size_t component = 0;
     for (std::size_t i = 0; i < values; ++i) {
-        const std::uint64_t image = to_image(array.scalar, load(array.bytes.data() + i * width, width));
+        const std::uint64_t image =
+            to_image(array.scalar, load(array.bytes.data() + i * width, width));
         const std::uint64_t folded = fold((image - last[component]) & mask_of(width), width);
         last[component] = image;
         if (++component == array.arity) component = 0;
-        for (std::size_t b = 0; b < width; ++b) planes[b * values + i] = static_cast<std::byte>(folded >> (8 * b));
+        for (std::size_t b = 0; b < width; ++b)
+            planes[b * values + i] = static_cast<std::byte>(folded >> (8 * b));
     }
     return planes;
 }

@@ -1,5 +1,5 @@
-// Attribute values as bytes that zstd packs well: differences along the strip, in the integer image of
-// floats, wrapped to the scalar's width and zigzagged, then one plane per byte of the scalar.
+// Attribute values as bytes that zstd packs well: differences along the strip, in the integer image
+// of floats, wrapped to the scalar's width and zigzagged, then one plane per byte of the scalar.
 #pragma once
 
 #include "base/bytes.h"

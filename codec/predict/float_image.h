@@ -1,5 +1,5 @@
-// Floats as integers of the same order: -inf < negative < -0 < +0 < positive < inf, NaNs at both ends.
-// The map is one to one on bit patterns, so differences of images keep every bit.
+// Floats as integers of the same order: -inf < negative < -0 < +0 < positive < inf, NaNs at both
+// ends. The map is one to one on bit patterns, so differences of images keep every bit.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,8 @@ inline std::uint64_t bits64_of(std::uint64_t image) {
 // The difference a - b of two 32-bit (or 64-bit) images, wrapped and with sign.
 inline std::int64_t wrapped_difference(std::uint64_t a, std::uint64_t b, bool narrow) {
     const std::uint64_t d = a - b;
-    return narrow ? static_cast<std::int32_t>(static_cast<std::uint32_t>(d)) : static_cast<std::int64_t>(d);
+    return narrow ? static_cast<std::int32_t>(static_cast<std::uint32_t>(d))
+                  : static_cast<std::int64_t>(d);
 }
 
 }  // namespace ravel

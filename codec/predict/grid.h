@@ -1,6 +1,6 @@
-// Positions on an integer grid: point = origin + step * q, in IEEE double, each operation rounded by
-// itself, then rounded to float32 where the mesh has float32. This header is the arithmetic of the
-// decoder; the encoder measures its errors with it.
+// Positions on an integer grid: point = origin + step * q, in IEEE double, each operation rounded
+// by itself, then rounded to float32 where the mesh has float32. This header is the arithmetic of
+// the decoder; the encoder measures its errors with it.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Codes the position of each new vertex where the walk meets it, on either side: `Coder` writes or
-// reads flags and plain bits (see code_residual). Grid coordinates are integers; lossless ones are float
-// images, guessed in IEEE double from the exact values.
+// reads flags and plain bits (see code_residual). Grid coordinates are integers; lossless ones are
+// float images, guessed in IEEE double from the exact values.
 #pragma once
 
 #include <algorithm>
@@ -87,11 +87,11 @@ class PositionCodes {
             std::uint32_t size = 0;
             if (format_.grid) {
                 const std::int64_t g = guess_grid(stencil, axis);
-                const std::int64_t r =
-                    code_residual(coder_, context, static_cast<std::int64_t>(truth[axis]) - g, size);
+                const std::int64_t r = code_residual(
+                    coder_, context, static_cast<std::int64_t>(truth[axis]) - g, size);
                 // A file may hold any residual: the sum wraps.
-                const auto q =
-                    static_cast<std::int64_t>(static_cast<std::uint64_t>(g) + static_cast<std::uint64_t>(r));
+                const auto q = static_cast<std::int64_t>(static_cast<std::uint64_t>(g) +
+                                                         static_cast<std::uint64_t>(r));
                 if (q >= kMostGrid || q <= -kMostGrid) {
                     values_.push_back({});
                     sizes_.push(0);
@@ -100,8 +100,9 @@ class PositionCodes {
                 value[axis] = static_cast<std::uint64_t>(q);
             } else {
                 const std::uint64_t g = guess_image(stencil, axis);
-                const std::int64_t r = code_residual(
-                    coder_, context, wrapped_difference(image(truth[axis]), g, format_.narrow), size);
+                const std::int64_t r =
+                    code_residual(coder_, context,
+                                  wrapped_difference(image(truth[axis]), g, format_.narrow), size);
                 value[axis] = bits(g + static_cast<std::uint64_t>(r));
             }
             sum += size;
@@ -130,7 +131,9 @@ class PositionCodes {
     std::uint64_t image(std::uint64_t b) const {
         return format_.narrow ? image_of(static_cast<std::uint32_t>(b)) : image_of(b);
     }
-    std::uint64_t bits(std::uint64_t i) const { return format_.narrow ? bits32_of(i) : bits64_of(i); }
+    std::uint64_t bits(std::uint64_t i) const {
+        return format_.narrow ? bits32_of(i) : bits64_of(i);
+    }
     double as_double(std::uint64_t b) const { return double_of(b, format_.narrow); }
 
     std::int64_t guess_grid(const Stencil& stencil, std::size_t axis) const {
@@ -144,7 +147,8 @@ class PositionCodes {
 
     std::uint64_t guess_image(const Stencil& stencil, std::size_t axis) const {
         const auto f = features_of<double>(
-            stencil.configuration, [&](std::size_t i) { return as_double(values_[stencil.at[i]][axis]); },
+            stencil.configuration,
+            [&](std::size_t i) { return as_double(values_[stencil.at[i]][axis]); },
             [&](std::size_t i) { return stencil.at[i] != kNone; });
         double g = guess(stencil.configuration, f, format_.weights);
         if (!std::isfinite(g)) {
@@ -153,7 +157,8 @@ class PositionCodes {
         }
         if (!format_.narrow) return image(std::bit_cast<std::uint64_t>(g));
         constexpr double kMost = std::numeric_limits<float>::max();
-        return image(std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(g, -kMost, kMost))));
+        return image(
+            std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(g, -kMost, kMost))));
     }
 
     Coder& coder_;

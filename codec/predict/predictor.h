@@ -1,6 +1,6 @@
-// Guesses a new vertex from the known vertices around it (the walk's Stencil). Every configuration has
-// a base guess and difference vectors, its features; the guess is base + sum of weight * feature.
-// Weights are fixed-point (1/4096), fitted per file by the encoder or the defaults below.
+// Guesses a new vertex from the known vertices around it (the walk's Stencil). Every configuration
+// has a base guess and difference vectors, its features; the guess is base + sum of weight *
+// feature. Weights are fixed-point (1/4096), fitted per file by the encoder or the defaults below.
 // The parallelogram within a polygon is [IsenburgAlliez2002]'s; the fitted weights are ours.
 #pragma once
 
@@ -21,11 +21,14 @@ struct Features {
     std::array<T, kFeatures> feature{};
 };
 
-inline constexpr std::array<std::size_t, static_cast<std::size_t>(Configuration::count)> kFeatureCount{
-    2, 5, 6, 10, 3, 3, 2};
-inline constexpr std::int64_t divisor_of(Configuration c) { return c == Configuration::tet ? 3 : 1; }
+inline constexpr std::array<std::size_t, static_cast<std::size_t>(Configuration::count)>
+    kFeatureCount{2, 5, 6, 10, 3, 3, 2};
+inline constexpr std::int64_t divisor_of(Configuration c) {
+    return c == Configuration::tet ? 3 : 1;
+}
 
-using Weights = std::array<std::array<std::int16_t, kFeatures>, static_cast<std::size_t>(Configuration::count)>;
+using Weights =
+    std::array<std::array<std::int16_t, kFeatures>, static_cast<std::size_t>(Configuration::count)>;
 inline constexpr Weights kDefaultWeights{{
     {0},
     {0},
@@ -96,13 +99,15 @@ Features<T> features_of(Configuration configuration, const Point& p, const Has& 
             t[1] = (p(4) + p(5) + p(6)) - f.base;
             break;
         }
-        case Configuration::count: break;
+        case Configuration::count:
+            break;
     }
     return f;
 }
 
 // Rounds to nearest, halves up. |inputs| < 2^43 can't overflow.
-inline std::int64_t guess(Configuration configuration, const Features<std::int64_t>& f, const Weights& weights) {
+inline std::int64_t guess(Configuration configuration, const Features<std::int64_t>& f,
+                          const Weights& weights) {
     const auto& w = weights[static_cast<std::size_t>(configuration)];
     std::int64_t sum = f.base * (std::int64_t{1} << kWeightBits);
     for (std::size_t i = 0; i < kFeatures; ++i) sum += w[i] * f.feature[i];
@@ -111,7 +116,8 @@ inline std::int64_t guess(Configuration configuration, const Features<std::int64
     return shifted >= 0 ? shifted / scale : -((-shifted + scale - 1) / scale);
 }
 
-inline double guess(Configuration configuration, const Features<double>& f, const Weights& weights) {
+inline double guess(Configuration configuration, const Features<double>& f,
+                    const Weights& weights) {
     const auto& w = weights[static_cast<std::size_t>(configuration)];
     double sum = 0;
     for (std::size_t i = 0; i < kFeatures; ++i) sum += static_cast<double>(w[i]) * f.feature[i];

@@ -12,8 +12,8 @@
 
 namespace ravel {
 
-// A residual r is coded as the bit width of |r| (a path of six yes/no down a binary tree, 63 meaning 63
-// or 64), its sign, the bit below the highest under a context, and the rest as they are.
+// A residual r is coded as the bit width of |r| (a path of six yes/no down a binary tree, 63
+// meaning 63 or 64), its sign, the bit below the highest under a context, and the rest as they are.
 inline constexpr std::uint32_t kSizeContexts = 40;
 inline constexpr std::uint32_t kSizeNodes = 64;
 
@@ -29,8 +29,8 @@ inline std::uint64_t magnitude(std::int64_t r) {
     return r < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(r) : static_cast<std::uint64_t>(r);
 }
 
-// The residual sizes of all vertices so far, and from them the class of the next. `coarseness` merges
-// classes (2^coarseness to one), for meshes with few vertices.
+// The residual sizes of all vertices so far, and from them the class of the next. `coarseness`
+// merges classes (2^coarseness to one), for meshes with few vertices.
 class ResidualSizes {
   public:
     explicit ResidualSizes(int coarseness) : coarseness_(coarseness) {}
@@ -45,7 +45,8 @@ class ResidualSizes {
     }
     std::uint32_t context(std::uint32_t expected_halves) const {
         // Every half below 12 bits, every second above.
-        const std::uint32_t c = expected_halves < 24 ? expected_halves : 24 + (expected_halves - 24) / 4;
+        const std::uint32_t c =
+            expected_halves < 24 ? expected_halves : 24 + (expected_halves - 24) / 4;
         return c >> coarseness_;
     }
     void push(std::uint32_t size) { sizes_.push_back(static_cast<std::uint8_t>(size)); }
@@ -58,7 +59,8 @@ class ResidualSizes {
 // Codes r through `coder` (the encoder's writes it, the decoder's returns what it reads):
 //     bool flag(Context, bool truth)      uint64 plain(uint64 truth, int count)
 template <class Coder>
-std::int64_t code_residual(Coder& coder, std::uint32_t context, std::int64_t r, std::uint32_t& size_out) {
+std::int64_t code_residual(Coder& coder, std::uint32_t context, std::int64_t r,
+                           std::uint32_t& size_out) {
     using C = ResidualContexts;
     const std::uint64_t m = magnitude(r);
     const auto true_size = static_cast<std::uint32_t>(std::bit_width(m));

@@ -1,7 +1,7 @@
 // Dual graph -> 2-matching (steered walk, Euler tour, two matchings, or one in the inflated graph)
-// -> maximum by alternating walks -> surplus paths closed -> strips merged around fans, then by longer
-// rings -> tree of links.
-// Cost: near-linear; about 1 s per million cells, and that of the matchings.
+// -> maximum by alternating walks -> surplus paths closed -> strips merged around fans, then by
+// longer rings -> tree of links. Cost: near-linear; about 1 s per million cells, and that of the
+// matchings.
 #include "strip/build.h"
 
 #include <algorithm>
@@ -50,10 +50,16 @@ EdgeSet find_factor(const Dual& dual, const Steered& walk, FactorMethod method, 
     const Graph& graph = dual.graph;
     EdgeSet set;
     switch (method) {
-        case FactorMethod::steered: return raise(graph, paths_of(walk, dual));
-        case FactorMethod::euler: return raise(graph, euler_matching(graph));
-        case FactorMethod::two_pass: set = two_pass(graph).set; break;
-        case FactorMethod::template_substitution: set = template_factor(graph).set; break;
+        case FactorMethod::steered:
+            return raise(graph, paths_of(walk, dual));
+        case FactorMethod::euler:
+            return raise(graph, euler_matching(graph));
+        case FactorMethod::two_pass:
+            set = two_pass(graph).set;
+            break;
+        case FactorMethod::template_substitution:
+            set = template_factor(graph).set;
+            break;
     }
     return reading == Reading::unmatched ? complement_matching(graph, set) : set;
 }

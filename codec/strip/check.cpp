@@ -8,7 +8,9 @@
 namespace ravel {
 namespace {
 
-Error wrong(std::uint64_t at, const std::string& detail) { return {Code::corrupt, at, detail}; }
+Error wrong(std::uint64_t at, const std::string& detail) {
+    return {Code::corrupt, at, detail};
+}
 
 // Labels cells that hang together by facets whose role `passes`; gives the number of labels.
 template <class Passes>

@@ -12,10 +12,10 @@ namespace ravel {
 // Cells in strip order, oriented as in the complex: cell i goes to cell i + 1 across its facet
 // exit[i].
 struct Materialised {
-    Mesh mesh;                          // points of the original first, then the new ones
-    std::vector<Index> parent;          // cell -> cell of the original mesh
-    std::vector<Index> first;  // components + 1: cells of component k are [first[k], first[k + 1])
-    std::vector<std::uint8_t> closed;   // component -> 1 where its last cell goes to its first
+    Mesh mesh;                  // points of the original first, then the new ones
+    std::vector<Index> parent;  // cell -> cell of the original mesh
+    std::vector<Index> first;   // components + 1: cells of component k are [first[k], first[k + 1])
+    std::vector<std::uint8_t> closed;  // component -> 1 where its last cell goes to its first
     std::vector<std::uint32_t>
         exit;  // local facet to the next cell; ~0 at the end of an open strip
     Index added_cells = 0;

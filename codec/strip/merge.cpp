@@ -67,8 +67,13 @@ bool edge_fan(const Complex& complex, Id facet, Id away, Fan& fan) {
 class Merger {
   public:
     Merger(const Complex& complex, const Dual& dual, EdgeSet& set)
-        : complex_(complex), dual_(dual), set_(set), strips_(list_strips(dual.graph, set)),
-          parts_(dual.graph.parts), sets_(strips_.count()), part_size_(parts_.count, 0),
+        : complex_(complex),
+          dual_(dual),
+          set_(set),
+          strips_(list_strips(dual.graph, set)),
+          parts_(dual.graph.parts),
+          sets_(strips_.count()),
+          part_size_(parts_.count, 0),
           open_(strips_.count(), 0) {
         for (GraphId s = 0; s < strips_.count(); ++s) {
             sets_.weigh(s, strips_.size(s));

@@ -197,8 +197,8 @@ class Pieces {
     const Id n_;
     const Ends ends_;
     const Id near_, far_;
-    std::vector<Id> w_;       // 1 .. n
-    std::vector<Id> outer_;   // 1 .. n - 1
+    std::vector<Id> w_;      // 1 .. n
+    std::vector<Id> outer_;  // 1 .. n - 1
     std::array<Id, 2> inner_{kNone, kNone};
     std::vector<Id> route_;
     Id cut_ = 0;

@@ -13,10 +13,10 @@ namespace {
 
 // A tet seen from the shared face: its corners are facets and corners at once.
 struct Side {
-    Id link = kNone;               // facet, and apex corner
-    std::array<Id, 3> corner{};    // of the shared face, in the same order in both tets
-    std::array<bool, 3> strip{};   // the facet opposite that corner is on the strip
-    std::array<Id, 3> piece{};     // first facet of P_x
+    Id link = kNone;              // facet, and apex corner
+    std::array<Id, 3> corner{};   // of the shared face, in the same order in both tets
+    std::array<bool, 3> strip{};  // the facet opposite that corner is on the strip
+    std::array<Id, 3> piece{};    // first facet of P_x
 
     int strips() const { return strip[0] + strip[1] + strip[2]; }
     // The facet at vertex z can be used by the strip's route through the pieces.

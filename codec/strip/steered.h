@@ -20,7 +20,8 @@ struct SteerOptions {
 struct Steered {
     std::vector<Id> order;
     std::vector<Id> came_by;
-    std::vector<Id> entry;  // the facet by which each cell was entered; kNone for a component's first
+    std::vector<Id>
+        entry;  // the facet by which each cell was entered; kNone for a component's first
 };
 
 // Paths through all cells. Linear.

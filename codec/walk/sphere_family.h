@@ -1,9 +1,9 @@
-// The spheres through a triangle, for guessing the apex beyond it: in a Delaunay mesh the apex is the
-// vertex whose sphere lies lowest. [BischoffRossignac2005] send Delaunay meshes that way; here it is only
-// a guess, which any mesh may contradict.
+// The spheres through a triangle, for guessing the apex beyond it: in a Delaunay mesh the apex is
+// the vertex whose sphere lies lowest. [BischoffRossignac2005] send Delaunay meshes that way; here
+// it is only a guess, which any mesh may contradict.
 //
-// Coordinates are integers held in doubles; every operation is one IEEE double operation, in the order
-// written, so that both sides find the same guess.
+// Coordinates are integers held in doubles; every operation is one IEEE double operation, in the
+// order written, so that both sides find the same guess.
 #pragma once
 
 #include <array>
@@ -13,10 +13,12 @@
 
 namespace ravel {
 
-// A sphere is told by the height of its centre over the triangle, in multiples of the normal's length.
+// A sphere is told by the height of its centre over the triangle, in multiples of the normal's
+// length.
 class SphereFamily {
   public:
-    // (a, b, c) seen counter-clockwise from the side where apexes are looked for; `mirrored`: clockwise.
+    // (a, b, c) seen counter-clockwise from the side where apexes are looked for; `mirrored`:
+    // clockwise.
     SphereFamily(const Point3& a, const Point3& b, const Point3& c, bool mirrored) : a_(a) {
         const Point3 u = minus(b, a), v = minus(c, a);
         normal_ = mirrored ? cross(v, u) : cross(u, v);
@@ -31,7 +33,8 @@ class SphereFamily {
         flat_ = !(radius_square_ > 0);
     }
     bool flat() const { return flat_; }
-    // Height of the centre along the (unnormalised) normal; false where p is not above the triangle.
+    // Height of the centre along the (unnormalised) normal; false where p is not above the
+    // triangle.
     bool height_of(const Point3& p, double& height) const {
         const Point3 q = minus(p, a_);
         const double above = dot(normal_, q);
@@ -39,8 +42,11 @@ class SphereFamily {
         height = (dot(q, q) - 2 * dot(q, centre_)) / (2 * above);
         return true;
     }
-    // Square of height over circumradius, with the height's sign; and the height that has such a square.
-    double relative(double height) const { return height * std::fabs(height) * square_ / radius_square_; }
+    // Square of height over circumradius, with the height's sign; and the height that has such a
+    // square.
+    double relative(double height) const {
+        return height * std::fabs(height) * square_ / radius_square_;
+    }
     double height_at(double relative_square) const {
         return std::sqrt(relative_square * radius_square_ / square_);
     }
@@ -48,7 +54,9 @@ class SphereFamily {
         return {a_[0] + centre_[0] + height * normal_[0], a_[1] + centre_[1] + height * normal_[1],
                 a_[2] + centre_[2] + height * normal_[2]};
     }
-    double radius_at(double height) const { return std::sqrt(radius_square_ + height * height * square_); }
+    double radius_at(double height) const {
+        return std::sqrt(radius_square_ + height * height * square_);
+    }
 
   private:
     Point3 a_, normal_{}, centre_{};

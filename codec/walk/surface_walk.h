@@ -17,6 +17,7 @@
 #pragma once
 
 #include "walk/walk.h"
+#include "walk/wind.h"
 
 namespace ravel {
 
@@ -35,7 +36,7 @@ class SurfaceWalk {
     // False: the answers contradict each other or the limits (only a decoder can see this).
     bool run() {
         while (walked_.cell_count() < limits_.cells) {
-            if (!visit(kNone, false) || !wind()) return false;
+            if (!visit(kNone, false) || !wind_component()) return false;
         }
         return walked_.vertex.size() == limits_.corners && walked_.vertex_count == limits_.vertices;
     }
@@ -51,27 +52,16 @@ class SurfaceWalk {
     static std::uint32_t degree_class(Id degree) { return degree == 4 ? 0 : degree == 3 ? 1 : 2; }
     std::uint32_t seen(Id vertex) const { return corners_[vertex]; }
 
-    // Follows the strip from the cell just visited until every excursion of its component is over.
-    bool wind() {
-        pending_.clear();
-        Id cell = walked_.cell_count() - 1;
-        bool returned = false;
-        for (;;) {
-            bool link = false;
-            const Id out = choose_exit(cell, returned, link);
-            if (driver_.failed()) return false;
-            if (out == kNone) {
-                if (pending_.empty()) return true;
-                cell = pending_.back();
-                pending_.pop_back();
-                returned = true;
-                continue;
-            }
-            if (link) pending_.push_back(cell);
-            if (!visit(out, link)) return false;
-            cell = walked_.cell_count() - 1;
-            returned = false;
-        }
+    bool wind_component() {
+        const auto leave = [&](Id cell, bool returned, bool& link, Id& out) {
+            out = choose_exit(cell, returned, link);
+            return !driver_.failed();
+        };
+        const auto enter = [&](Id out, bool link, Id& cell) {
+            cell = walked_.cell_count();
+            return visit(out, link);
+        };
+        return wind(walked_.cell_count() - 1, pending_, leave, enter);
     }
 
     // Sides clockwise from the entry: leftmost first, so that a strip hugs what it has visited.
@@ -121,7 +111,8 @@ class SurfaceWalk {
         const std::uint64_t rest =
             driver_.number(surface::kDegreeRest.base, truth <= 2 ? truth : truth - 6);
         if (rest <= 2) return static_cast<Id>(rest);
-        return rest < limits_.corners ? static_cast<Id>(rest) + 6 : kNone;  // more than there can be
+        return rest < limits_.corners ? static_cast<Id>(rest) + 6
+                                      : kNone;  // more than there can be
     }
     Id degree_at(Id cell) const { return walked_.first[cell + 1] - walked_.first[cell]; }
     static std::uint32_t coarse(Id degree) {

@@ -1,7 +1,8 @@
-// The front of a walk over tets: a closed surface of triangles, the facets of visited tets that lead to
-// unvisited ones, and the borders met so far. Facet f has the edge slots 3f, 3f+1, 3f+2; slot e is the
-// edge opposite the e-th vertex of the facet's outward triple. Slots of neighbouring facets are mates;
-// `fan` counts the visited tets between two mates. A hash finds an open facet by its vertices.
+// The front of a walk over tets: a closed surface of triangles, the facets of visited tets that
+// lead to unvisited ones, and the borders met so far. Facet f has the edge slots 3f, 3f+1, 3f+2;
+// slot e is the edge opposite the e-th vertex of the facet's outward triple. Slots of neighbouring
+// facets are mates; `fan` counts the visited tets between two mates. A hash finds an open facet by
+// its vertices.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@
 namespace ravel {
 
 // Local corners of the facet opposite each corner, outward: the boundary of an oriented simplex.
-inline constexpr std::array<std::array<Id, 3>, 4> kOutward{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+inline constexpr std::array<std::array<Id, 3>, 4> kOutward{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 class TetFront {
   public:
@@ -24,7 +26,8 @@ class TetFront {
         fan_.reserve(3 * facets);
     }
 
-    Id corner_of_slot(Id slot) const {  // the corner (in its cell) the slot's edge lies opposite, in the facet
+    Id corner_of_slot(
+        Id slot) const {  // the corner (in its cell) the slot's edge lies opposite, in the facet
         const Id facet = slot / 3;
         return (facet & ~Id{3}) + kOutward[facet & 3][slot % 3];
     }
@@ -126,7 +129,8 @@ class TetFront {
     std::array<Id, 3> key_of(Id facet) const {
         const Id base = facet & ~Id{3};
         const auto& triple = kOutward[facet & 3];
-        std::array<Id, 3> v{vertex_[base + triple[0]], vertex_[base + triple[1]], vertex_[base + triple[2]]};
+        std::array<Id, 3> v{vertex_[base + triple[0]], vertex_[base + triple[1]],
+                            vertex_[base + triple[2]]};
         if (v[0] > v[1]) std::swap(v[0], v[1]);
         if (v[1] > v[2]) std::swap(v[1], v[2]);
         if (v[0] > v[1]) std::swap(v[0], v[1]);
@@ -140,8 +144,9 @@ class TetFront {
         return (h ^ (h >> 31)) & (table_.size() - 1);
     }
     void rehash() {
-        std::vector<Id> old(table_.size() < 4 * (live_ + 16) ? std::max<std::size_t>(64, table_.size() * 2)
-                                                             : table_.size(),
+        std::vector<Id> old(table_.size() < 4 * (live_ + 16)
+                                ? std::max<std::size_t>(64, table_.size() * 2)
+                                : table_.size(),
                             kNone);
         old.swap(table_);
         used_ = live_;
@@ -153,10 +158,10 @@ class TetFront {
         }
     }
 
-    const std::vector<Id>& vertex_;   // of the walk, per corner
-    std::vector<Id> mate_;            // per slot
-    std::vector<std::uint8_t> fan_;   // per slot
-    std::vector<Id> table_;           // open addressing, linear probing
+    const std::vector<Id>& vertex_;  // of the walk, per corner
+    std::vector<Id> mate_;           // per slot
+    std::vector<std::uint8_t> fan_;  // per slot
+    std::vector<Id> table_;          // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
 };
 

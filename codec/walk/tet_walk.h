@@ -21,6 +21,7 @@
 #include "walk/tet_front.h"
 #include "walk/vertex_grid.h"
 #include "walk/walk.h"
+#include "walk/wind.h"
 
 namespace ravel {
 
@@ -40,7 +41,7 @@ class TetWalk {
     // False: the answers contradict each other or the limits (only a decoder can see this).
     bool run() {
         while (walked_.cell_count() < limits_.cells)
-            if (!visit(kNone, false) || !wind()) return false;
+            if (!visit(kNone, false) || !wind_component()) return false;
         return walked_.vertex_count == limits_.vertices;
     }
 
@@ -51,26 +52,16 @@ class TetWalk {
     enum State : std::uint8_t { open, border, gone };
     enum class Apex : std::uint8_t { fold, fresh, old };
 
-    bool wind() {
-        pending_.clear();
-        Id cell = walked_.cell_count() - 1;
-        bool returned = false;
-        for (;;) {
-            bool link = false;
-            const Id out = choose_exit(cell, returned, link);
-            if (driver_.failed()) return false;
-            if (out == kNone) {
-                if (pending_.empty()) return true;
-                cell = pending_.back();
-                pending_.pop_back();
-                returned = true;
-                continue;
-            }
-            if (link) pending_.push_back(cell);
-            if (!visit(out, link)) return false;
-            cell = walked_.cell_count() - 1;
-            returned = false;
-        }
+    bool wind_component() {
+        const auto leave = [&](Id cell, bool returned, bool& link, Id& out) {
+            out = choose_exit(cell, returned, link);
+            return !driver_.failed();
+        };
+        const auto enter = [&](Id out, bool link, Id& cell) {
+            cell = walked_.cell_count();
+            return visit(out, link);
+        };
+        return wind(walked_.cell_count() - 1, pending_, leave, enter);
     }
 
     // The rule: leave through the facet whose opposite vertex is oldest, so that the strip sheds

@@ -39,7 +39,9 @@ class VertexGrid {
         if (!(i > 0)) return 0;
         return static_cast<std::uint32_t>(i < last ? i : last);
     }
-    Id first_in(std::uint32_t x, std::uint32_t y, std::uint32_t z) const { return heads_[cube_at(x, y, z)]; }
+    Id first_in(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+        return heads_[cube_at(x, y, z)];
+    }
     Id next(Id v) const { return lists_[v].next; }
 
   private:

@@ -1,16 +1,17 @@
 // What a walk leaves behind, for surfaces and tets alike, and what it asks of its driver.
 //
-// The walk is one automaton with two drivers. Wherever it needs to know something about the next cell
-// it calls its driver with a context and a question; the encoder's driver answers from the mesh and
-// writes the answer down, the decoder's reads it. Everything else follows from the answers, so both
-// sides hold the same state at every step. A driver has
+// The walk is one automaton with two drivers. Wherever it needs to know something about the next
+// cell it calls its driver with a context and a question; the encoder's driver answers from the
+// mesh and writes the answer down, the decoder's reads it. Everything else follows from the
+// answers, so both sides hold the same state at every step. A driver has
 //
 //     bool flag(Context, bool truth)              a yes/no code
 //     uint64 number(Context base, uint64 truth)   a number >= 0, kNumberSteps contexts from `base`
-//     void begin_cell(Id gate)                    gate: walk facet the strip comes through, or kNone
-//     void new_vertex(Id vertex, Id corner, const Stencil&)   met for the first time, at this corner of the cell
-//     void end_cell(Id cell)                      corners and twins of the cell are now known
-//     bool failed() const                         the decoder's bytes have ended or made no sense
+//     void begin_cell(Id gate)                    gate: walk facet the strip comes through, or
+//     kNone void new_vertex(Id vertex, Id corner, const Stencil&)   met for the first time, at this
+//     corner of the cell void end_cell(Id cell)                      corners and twins of the cell
+//     are now known bool failed() const                         the decoder's bytes have ended or
+//     made no sense
 //
 // and the truths, which the decoder's driver answers with zero: see SurfaceWalk and TetWalk.
 #pragma once
@@ -26,16 +27,16 @@
 
 namespace ravel {
 
-// The visited part of the complex, cells in order of visit, corners and facets numbered as in Complex.
-// Surface cells start with the corner at which their entry side starts; tets have the entry facet
-// opposite their last corner.
+// The visited part of the complex, cells in order of visit, corners and facets numbered as in
+// Complex. Surface cells start with the corner at which their entry side starts; tets have the
+// entry facet opposite their last corner.
 struct Walked {
     CellKind kind = CellKind::polygon;
     std::vector<Id> first{0};
     std::vector<Id> cell_of;
     std::vector<Id> vertex;
-    std::vector<Id> twin;               // kNone: border, or not yet met
-    std::vector<Id> gate;               // per cell: the facet of an earlier cell it was entered through
+    std::vector<Id> twin;  // kNone: border, or not yet met
+    std::vector<Id> gate;  // per cell: the facet of an earlier cell it was entered through
     std::vector<std::uint8_t> by_link;  // per cell: that step is a link
     Id vertex_count = 0;
 
@@ -50,14 +51,16 @@ struct Walked {
     }
 };
 
-// Limits both sides know before the walk, and what the mesh has none of (so that it costs no codes).
+// Limits both sides know before the walk, and what the mesh has none of (so that it costs no
+// codes).
 struct WalkLimits {
     Id cells = 0;
     Id corners = 0;
     Id vertices = 0;
     Id uniform_degree = 0;  // surfaces: every cell has this degree; 0 where they differ
     bool has_border = true;
-    // Tets: the grid that finds apexes by place (see VertexGrid), and whether most tets are inside out.
+    // Tets: the grid that finds apexes by place (see VertexGrid), and whether most tets are inside
+    // out.
     double grid_side = 1;
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
     bool mirrored = false;

@@ -10,7 +10,8 @@ namespace {
 using ravel::Index;
 using ravel::Mesh;
 
-constexpr std::size_t kEnds[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};  // VTK's order
+constexpr std::size_t kEnds[6][2] = {{0, 1}, {1, 2}, {2, 0},
+                                     {0, 3}, {1, 3}, {2, 3}};  // VTK's order
 
 std::array<double, 3> point_of(const Mesh& mesh, Index p) {
     std::array<double, 3> x{};
@@ -27,7 +28,8 @@ Mesh with_edge_nodes(Mesh mesh) {
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         block.hosts.push_back(c);
         for (const auto& ends : kEnds) {
-            const auto a = point_of(mesh, mesh.cell(c)[ends[0]]), b = point_of(mesh, mesh.cell(c)[ends[1]]);
+            const auto a = point_of(mesh, mesh.cell(c)[ends[0]]),
+                       b = point_of(mesh, mesh.cell(c)[ends[1]]);
             block.nodes.push_back(mesh.point_count());
             mesh.positions.bytes.resize(mesh.positions.bytes.size() + mesh.positions.stride());
             for (std::size_t k = 0; k < 3; ++k)

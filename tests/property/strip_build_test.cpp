@@ -27,7 +27,9 @@ Complex complex_of(const Mesh& mesh) {
 constexpr std::array kMethods{FactorMethod::steered, FactorMethod::euler, FactorMethod::two_pass,
                               FactorMethod::template_substitution};
 
-bool has_two_factor(const StripCounts& counts) { return counts.paths + counts.singletons == 0; }
+bool has_two_factor(const StripCounts& counts) {
+    return counts.paths + counts.singletons == 0;
+}
 
 // Weights that have nothing to do with the mesh, equal on twins.
 std::vector<std::uint32_t> arbitrary_weights(const Complex& complex) {

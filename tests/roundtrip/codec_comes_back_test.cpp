@@ -67,8 +67,9 @@ void check(const std::string& recipe) {
 
 TEST_CASE("soups of polygons come back", "[roundtrip][soup]") {
     for (int seed = 1; seed <= 250; ++seed)
-        check("soup:polygons=" + std::to_string(5 + seed * 7 % 90) + ",seed=" + std::to_string(seed) +
-              (seed % 3 == 0 ? ",double" : "") + (seed % 5 == 0 ? ",attributes" : ""));
+        check("soup:polygons=" + std::to_string(5 + seed * 7 % 90) +
+              ",seed=" + std::to_string(seed) + (seed % 3 == 0 ? ",double" : "") +
+              (seed % 5 == 0 ? ",attributes" : ""));
 }
 
 TEST_CASE("soups of tets come back", "[roundtrip][soup]") {
@@ -94,12 +95,25 @@ TEST_CASE("the smallest meshes come back", "[roundtrip]") {
 }
 
 TEST_CASE("every family of made meshes comes back", "[roundtrip]") {
-    for (const char* recipe :
-         {"grid", "grid:triangles,jitter=0.5", "torus:size=24x12,double", "torus:quads=5000,shuffle",
-          "sphere:subdivide=3", "sphere:subdivide=4,bumps=0.3,double", "moebius", "moebius:size=9x1",
-          "terrain:size=40x40,holes=7,double", "polygons:hex,size=12x12", "polygons:mixed,size=30x30",
-          "polygons:cap,size=200", "polygons:mixed,attributes,shuffle,copies=3", "tets:box=6",
-          "tets:box=5,five,jitter=0.3", "tets:ball=6,double", "tets:shell=8,jitter=0.2",
-          "tets:box=4,copies=3,shuffle,attributes,companions", "grid:size=1x300", "tets:box=1x1x60"})
+    for (const char* recipe : {"grid",
+                               "grid:triangles,jitter=0.5",
+                               "torus:size=24x12,double",
+                               "torus:quads=5000,shuffle",
+                               "sphere:subdivide=3",
+                               "sphere:subdivide=4,bumps=0.3,double",
+                               "moebius",
+                               "moebius:size=9x1",
+                               "terrain:size=40x40,holes=7,double",
+                               "polygons:hex,size=12x12",
+                               "polygons:mixed,size=30x30",
+                               "polygons:cap,size=200",
+                               "polygons:mixed,attributes,shuffle,copies=3",
+                               "tets:box=6",
+                               "tets:box=5,five,jitter=0.3",
+                               "tets:ball=6,double",
+                               "tets:shell=8,jitter=0.2",
+                               "tets:box=4,copies=3,shuffle,attributes,companions",
+                               "grid:size=1x300",
+                               "tets:box=1x1x60"})
         check(recipe);
 }

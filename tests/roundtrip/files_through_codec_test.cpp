@@ -142,7 +142,8 @@ TEST_CASE("MEDIT sections name the same triangles, quadrilaterals and corners af
             return std::to_string(3 * (i + column) + row + 1) + " ";
         };
         quads += at(0, 0) + at(1, 0) + at(1, 1) + at(0, 1) + "0\n";
-        triangles += at(0, 1) + at(1, 1) + at(1, 2) + "0\n" + at(0, 1) + at(1, 2) + at(0, 2) + "0\n";
+        triangles +=
+            at(0, 1) + at(1, 1) + at(1, 2) + "0\n" + at(0, 1) + at(1, 2) + at(0, 2) + "0\n";
     }
     const std::string more =
         "Normals 1\n0 0 1\nRequiredTriangles 3\n1\n30\n38\nRequiredQuadrilaterals 2\n1\n19\n"
@@ -173,7 +174,8 @@ TEST_CASE("TetGen neighbours name the same tets after the codec", "[roundtrip][i
             for (std::size_t k = 1; k < 4; ++k)
                 faces += std::to_string(box.cell(c)[k] + first) + " ";
             faces += std::to_string(c + first) + " ";
-            faces += (c % 3 == 0 ? "-1" : std::to_string((c * 7) % box.cell_count() + first)) + "\n";
+            faces +=
+                (c % 3 == 0 ? "-1" : std::to_string((c * 7) % box.cell_count() + first)) + "\n";
         }
         folder.write("a.face", faces);
         const Result<Mesh> mesh = io::read_mesh(folder / "a.ele");
@@ -200,8 +202,10 @@ TEST_CASE("Gmsh sections kept as text name the same nodes, elements and corners 
         std::map<std::int64_t, std::string> found;
         for (Index i = 0; i < numbers->values.count(); ++i) {
             std::string& words = found[numbers->values.as<std::int64_t>()[i]];
-            if (place == Place::point) words = place_of(m, i);
-            else for (const Index p : m.cell(i)) words += place_of(m, p) + ", ";
+            if (place == Place::point)
+                words = place_of(m, i);
+            else
+                for (const Index p : m.cell(i)) words += place_of(m, p) + ", ";
         }
         return found;
     };

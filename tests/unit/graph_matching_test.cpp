@@ -36,8 +36,18 @@ std::size_t best_by_force(const Graph& graph) {
 }
 
 Graph cube_dual() {
-    return make_graph(6, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 0}, {4, 1}, {4, 2}, {4, 3}, {5, 0},
-                          {5, 1}, {5, 2}, {5, 3}});
+    return make_graph(6, {{0, 1},
+                          {1, 2},
+                          {2, 3},
+                          {3, 0},
+                          {4, 0},
+                          {4, 1},
+                          {4, 2},
+                          {4, 3},
+                          {5, 0},
+                          {5, 1},
+                          {5, 2},
+                          {5, 3}});
 }
 
 }  // namespace
@@ -168,8 +178,7 @@ TEST_CASE("random 4-regular graphs with odd and even node counts get 2-factors")
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         const Graph graph = test::random_graph(401 + seed, 4, seed);
         bool regular = true;
-        for (GraphId n = 0; n < graph.node_count(); ++n)
-            regular = regular && graph.degree(n) == 4;
+        for (GraphId n = 0; n < graph.node_count(); ++n) regular = regular && graph.degree(n) == 4;
         const TemplateFactor factor = template_factor(graph);
         if (regular) CHECK(factor.two_factor);
         if (graph.node_count() % 2 == 1) CHECK_FALSE(two_pass(graph).two_factor());

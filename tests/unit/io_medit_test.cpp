@@ -114,15 +114,14 @@ TEST_CASE("MEDIT sections that name vertices refer to them", "[io][medit]") {
 }
 
 TEST_CASE("MEDIT numbers of triangles among quadrilaterals refer to cells", "[io][medit]") {
-    const std::string cells =
-        "Quadrilaterals 1\n1 2 3 4 0\nTriangles 2\n1 2 3 0\n1 2 4 0\n";
+    const std::string cells = "Quadrilaterals 1\n1 2 3 4 0\nTriangles 2\n1 2 3 0\n1 2 4 0\n";
     const std::string text =
-        file(cells + "RequiredTriangles 1\n2\nRequiredQuadrilaterals 1\n1\nNormals 1\n0 0 1\n"
-                     "NormalAtTriangleVertices 2\n2 3 1\n1 1 1\n");
+        file(cells +
+             "RequiredTriangles 1\n2\nRequiredQuadrilaterals 1\n1\nNormals 1\n0 0 1\n"
+             "NormalAtTriangleVertices 2\n2 3 1\n1 1 1\n");
     const Result<Mesh> mesh = read_bytes("a.mesh", text);
     REQUIRE(mesh);
-    const Attribute* triangles =
-        io::find_attribute(*mesh, Place::mesh, "medit:RequiredTriangles");
+    const Attribute* triangles = io::find_attribute(*mesh, Place::mesh, "medit:RequiredTriangles");
     REQUIRE(triangles);
     CHECK(same_reference(triangles->references.at(0), {0, Place::cell, 0}));
     const Attribute* normals =

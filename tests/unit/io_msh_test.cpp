@@ -10,20 +10,25 @@ namespace {
 
 constexpr const char* kHead2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 constexpr const char* kHead4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-constexpr const char* kFour2 =
-    "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 0.1\n$EndNodes\n";
+constexpr const char* kFour2 = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 0.1\n$EndNodes\n";
 constexpr const char* kFour4 =
     "$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n$EndNodes\n";
 
-std::string v2(std::string_view more) { return std::string(kHead2) + kFour2 + std::string(more); }
-std::string v4(std::string_view more) { return std::string(kHead4) + kFour4 + std::string(more); }
+std::string v2(std::string_view more) {
+    return std::string(kHead2) + kFour2 + std::string(more);
+}
+std::string v4(std::string_view more) {
+    return std::string(kHead4) + kFour4 + std::string(more);
+}
 
 // Text, and binary made of it, must both come back.
 std::string trouble(const std::string& text) {
     const std::string as_text = trouble_reading_again("a.msh", text);
     return as_text.empty() ? trouble_reading_again("a.msh", text, true) : as_text;
 }
-std::string error(const std::string& text) { return error_of("a.msh", text); }
+std::string error(const std::string& text) {
+    return error_of("a.msh", text);
+}
 
 }  // namespace
 
@@ -35,10 +40,10 @@ TEST_CASE("MSH without nodes or elements comes back", "[io][msh]") {
     CHECK(trouble(v4("$Elements\n0 0 0 0\n$EndElements\n")) == "");
 }
 
-TEST_CASE("MSH 2.2 degenerate and repeated tets come back with NaN, -0 and infinity",
-          "[io][msh]") {
+TEST_CASE("MSH 2.2 degenerate and repeated tets come back with NaN, -0 and infinity", "[io][msh]") {
     const std::string text =
-        std::string(kHead2) + "$Nodes\n3\n1 nan -0 1e300\n2 inf -inf 0.1\n3 0 0 0\n$EndNodes\n"
+        std::string(kHead2) +
+        "$Nodes\n3\n1 nan -0 1e300\n2 inf -inf 0.1\n3 0 0 0\n$EndNodes\n"
         "$Elements\n3\n1 4 2 0 1 1 1 1 1\n2 4 2 0 1 1 2 3 3\n3 4 2 0 1 1 2 3 3\n$EndElements\n";
     const Result<Mesh> mesh = read_bytes("a.msh", text);
     REQUIRE(mesh);
@@ -47,11 +52,10 @@ TEST_CASE("MSH 2.2 degenerate and repeated tets come back with NaN, -0 and infin
     CHECK(trouble(text) == "");
 }
 
-TEST_CASE("MSH 2.2 elements keep their tags, also where some have more than others",
-          "[io][msh]") {
-    const std::string text = v2(
-        "$Elements\n4\n1 15 0 1\n2 2 2 7 8 1 2 3\n3 4 4 5 6 1 -2 1 2 3 4\n4 4 2 9 6 1 2 4 3\n"
-        "$EndElements\n");
+TEST_CASE("MSH 2.2 elements keep their tags, also where some have more than others", "[io][msh]") {
+    const std::string text =
+        v2("$Elements\n4\n1 15 0 1\n2 2 2 7 8 1 2 3\n3 4 4 5 6 1 -2 1 2 3 4\n4 4 2 9 6 1 2 4 3\n"
+           "$EndElements\n");
     const Result<Mesh> mesh = read_bytes("a.msh", text);
     REQUIRE(mesh);
     const Attribute* physical = io::find_attribute(*mesh, Place::cell, "gmsh:physical");
@@ -66,7 +70,8 @@ TEST_CASE("MSH 2.2 elements keep their tags, also where some have more than othe
 
 TEST_CASE("MSH node and element numbers that are not 1, 2, 3 are kept", "[io][msh]") {
     const std::string text =
-        std::string(kHead2) + "$Nodes\n4\n10 0 0 0\n7 1 0 0\n900 0 1 0\n8 0 0 1\n$EndNodes\n"
+        std::string(kHead2) +
+        "$Nodes\n4\n10 0 0 0\n7 1 0 0\n900 0 1 0\n8 0 0 1\n$EndNodes\n"
         "$Elements\n2\n5 2 2 0 1 10 7 900\n3 4 2 0 1 10 7 900 8\n$EndElements\n";
     const Result<Mesh> mesh = read_bytes("a.msh", text);
     REQUIRE(mesh);
@@ -79,8 +84,9 @@ TEST_CASE("MSH node and element numbers that are not 1, 2, 3 are kept", "[io][ms
 TEST_CASE("MSH quadratic tets have their edge nodes in VTK's order", "[io][msh]") {
     std::string text = std::string(kHead2) + "$Nodes\n10\n";
     for (int i = 1; i <= 10; ++i) text += std::to_string(i) + " 0 0 " + std::to_string(i) + "\n";
-    text += "$EndNodes\n$Elements\n2\n1 4 2 0 1 1 2 3 4\n2 11 2 0 1 1 2 3 4 5 6 7 8 9 10\n"
-            "$EndElements\n";
+    text +=
+        "$EndNodes\n$Elements\n2\n1 4 2 0 1 1 2 3 4\n2 11 2 0 1 1 2 3 4 5 6 7 8 9 10\n"
+        "$EndElements\n";
     const Result<Mesh> mesh = read_bytes("a.msh", text);
     REQUIRE(mesh);
     REQUIRE(mesh->companions.size() == 1);
@@ -110,8 +116,7 @@ TEST_CASE("MSH 4.1 keeps entities, physical names and the entities of nodes", "[
     CHECK(trouble(text) == "");
 }
 
-TEST_CASE("MSH data on some nodes and elements only come back, in any order of rows",
-          "[io][msh]") {
+TEST_CASE("MSH data on some nodes and elements only come back, in any order of rows", "[io][msh]") {
     const std::string cells =
         "$Elements\n3\n1 2 2 0 1 1 2 3\n2 4 2 0 1 1 2 3 4\n3 4 2 0 1 1 2 4 3\n$EndElements\n";
     const std::string data =
@@ -146,14 +151,14 @@ TEST_CASE("MSH keeps the types of arrays that its numbers do not tell", "[io][ms
 }
 
 TEST_CASE("MSH sections that are not known are kept as they are", "[io][msh]") {
-    const std::string text = v4("$Surface\n2\n1 2 3\n 1 2 4\n$EndSurface\n"
-                                "$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n");
+    const std::string text =
+        v4("$Surface\n2\n1 2 3\n 1 2 4\n$EndSurface\n"
+           "$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n");
     const Result<Mesh> mesh = read_bytes("a.msh", text);
     REQUIRE(mesh);
     CHECK(io::find_note(*mesh, "gmsh:section:Surface")->text == "2\n1 2 3\n 1 2 4\n");
     CHECK(trouble(text) == "");
-    const std::string periodic =
-        v4("$Periodic\n1\n0 2 1\n0\n1\n1 2\n$EndPeriodic\n");
+    const std::string periodic = v4("$Periodic\n1\n0 2 1\n0\n1\n1 2\n$EndPeriodic\n");
     CHECK(trouble_reading_again("a.msh", periodic) == "");
 }
 

@@ -88,12 +88,10 @@ TEST_CASE("TetGen faces and edges ride along, with markers on both, one or none"
 }
 
 TEST_CASE("TetGen neighbours of faces are kept, and refer to tets", "[io][tetgen]") {
-    const Files files{
-        .node = kFour, .ele = "1 4 0\n0 0 1 2 3\n", .face = "1 1\n0 0 1 2 4 0 -1\n"};
+    const Files files{.node = kFour, .ele = "1 4 0\n0 0 1 2 3\n", .face = "1 1\n0 0 1 2 4 0 -1\n"};
     const Result<Mesh> mesh = read(files);
     REQUIRE(mesh);
-    const Attribute* neighbours =
-        io::find_attribute(*mesh, Place::mesh, "tetgen:neighbours:face");
+    const Attribute* neighbours = io::find_attribute(*mesh, Place::mesh, "tetgen:neighbours:face");
     REQUIRE(neighbours);
     REQUIRE(neighbours->references.size() == 2);
     CHECK(same_reference(neighbours->references[1], {1, Place::cell, 0}));

@@ -13,13 +13,17 @@ std::string head(std::string_view version = "3.0", std::string_view dataset = "U
            std::string(dataset) + "\n";
 }
 constexpr const char* kFour = "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\n";
-std::string grid(std::string_view more) { return head() + kFour + std::string(more); }
+std::string grid(std::string_view more) {
+    return head() + kFour + std::string(more);
+}
 
 std::string trouble(const std::string& text) {
     const std::string as_text = trouble_reading_again("a.vtk", text);
     return as_text.empty() ? trouble_reading_again("a.vtk", text, true) : as_text;
 }
-std::string error(const std::string& text) { return error_of("a.vtk", text); }
+std::string error(const std::string& text) {
+    return error_of("a.vtk", text);
+}
 
 }  // namespace
 
@@ -33,10 +37,10 @@ TEST_CASE("VTK without points or cells comes back", "[io][vtk]") {
 }
 
 TEST_CASE("VTK degenerate, repeated and mixed cells come back", "[io][vtk]") {
-    const std::string text =
-        grid("CELLS 7 30\n4 0 0 0 0\n3 0 1 2\n4 0 1 2 3\n4 0 1 2 3\n1 3\n6 0 1 2 3 0 1\n1 2\n"
-             "CELL_TYPES 7\n10 5 10 10 1 13 2\n"
-             "CELL_DATA 7\nSCALARS rank int\nLOOKUP_TABLE default\n1 2 3 4 5 6 7\n");
+    const std::string text = grid(
+        "CELLS 7 30\n4 0 0 0 0\n3 0 1 2\n4 0 1 2 3\n4 0 1 2 3\n1 3\n6 0 1 2 3 0 1\n1 2\n"
+        "CELL_TYPES 7\n10 5 10 10 1 13 2\n"
+        "CELL_DATA 7\nSCALARS rank int\nLOOKUP_TABLE default\n1 2 3 4 5 6 7\n");
     const Result<Mesh> mesh = read_bytes("a.vtk", text);
     if (!mesh) FAIL(mesh.error().detail);
     CHECK(mesh->kind == CellKind::tet);
@@ -46,10 +50,10 @@ TEST_CASE("VTK degenerate, repeated and mixed cells come back", "[io][vtk]") {
     CHECK(trouble(text) == "");
 }
 
-TEST_CASE("VTK pixels become quads, and polygons are cells where there are no tets",
-          "[io][vtk]") {
-    const std::string text = grid("CELLS 4 18\n4 0 1 2 3\n3 0 1 2\n5 0 1 2 3 0\n2 0 1\n"
-                                  "CELL_TYPES 4\n8 5 7 3\n");
+TEST_CASE("VTK pixels become quads, and polygons are cells where there are no tets", "[io][vtk]") {
+    const std::string text = grid(
+        "CELLS 4 18\n4 0 1 2 3\n3 0 1 2\n5 0 1 2 3 0\n2 0 1\n"
+        "CELL_TYPES 4\n8 5 7 3\n");
     const Result<Mesh> mesh = read_bytes("a.vtk", text);
     if (!mesh) FAIL(mesh.error().detail);
     CHECK(mesh->kind == CellKind::polygon);
@@ -77,17 +81,19 @@ TEST_CASE("VTK polygonal data come back as such, their data in VTK's order", "[i
 TEST_CASE("VTK arrays keep their exact types, and names their blanks", "[io][vtk]") {
     std::string text = grid("METADATA\nINFORMATION 0\n\nPOINT_DATA 4\nFIELD FieldData 10\n");
     const std::pair<const char*, Scalar> types[] = {
-        {"unsigned_char", Scalar::u8}, {"char", Scalar::i8},          {"short", Scalar::i16},
-        {"unsigned_short", Scalar::u16}, {"int", Scalar::i32},        {"unsigned_int", Scalar::u32},
-        {"long", Scalar::i64},         {"vtktypeuint64", Scalar::u64}, {"float", Scalar::f32},
-        {"double", Scalar::f64}};
+        {"unsigned_char", Scalar::u8}, {"char", Scalar::i8},
+        {"short", Scalar::i16},        {"unsigned_short", Scalar::u16},
+        {"int", Scalar::i32},          {"unsigned_int", Scalar::u32},
+        {"long", Scalar::i64},         {"vtktypeuint64", Scalar::u64},
+        {"float", Scalar::f32},        {"double", Scalar::f64}};
     for (const auto& [name, scalar] : types) {
         text += std::string("a%20") + name + " 1 4 " + name + "\n1 2 3 4\n";
     }
     text += "VECTORS v double\n0 0 0 1 nan inf -inf -0 0 0 0 0\nTENSORS t float\n";
     for (int i = 0; i < 36; ++i) text += "0.1 ";
-    text += "\nTEXTURE_COORDINATES uv 2 float\n0 0 1 1 2 2 3 3\nCOLOR_SCALARS c 2\n"
-            "0 1 0 1 0 1 0 1\nLOOKUP_TABLE table 1\n0 0 0 1\n";
+    text +=
+        "\nTEXTURE_COORDINATES uv 2 float\n0 0 1 1 2 2 3 3\nCOLOR_SCALARS c 2\n"
+        "0 1 0 1 0 1 0 1\nLOOKUP_TABLE table 1\n0 0 0 1\n";
     const Result<Mesh> mesh = read_bytes("a.vtk", text);
     if (!mesh) FAIL(mesh.error().detail);
     for (const auto& [name, scalar] : types) {
@@ -141,6 +147,5 @@ TEST_CASE("VTK that is wrong gets one line that says where", "[io][vtk]") {
           "a.vtk:7: 99999999999 values of the cells are announced, more than the file can hold");
     CHECK(error(grid("POINT_DATA 4\nSCALARS a bit\nLOOKUP_TABLE default\n0 1 0 1\n")) ==
           "a.vtk:9: the values of 'a' are of type 'bit', which is not supported");
-    CHECK(error(grid("POINT_DATA 3\n")) ==
-          "a.vtk:7: POINT_DATA is for 3 of them, but there are 4");
+    CHECK(error(grid("POINT_DATA 3\n")) == "a.vtk:7: POINT_DATA is for 3 of them, but there are 4");
 }

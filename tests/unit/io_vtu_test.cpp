@@ -21,14 +21,21 @@ std::string tet(const std::string& x, const std::string& type = "10",
     return "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\">\n<PointData>\n"
            "<DataArray type=\"Int8\" Name=\"a &amp; b\" format=\"ascii\">1 2 3 -4</DataArray>\n"
            "</PointData>\n<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\">\n" +
-           x + " 0 0  1 0 0  0 1 0  0 0 1\n</DataArray></Points>\n<Cells>\n"
-           "<DataArray type=\"Int32\" Name=\"connectivity\">" + nodes + "</DataArray>\n"
+           x +
+           " 0 0  1 0 0  0 1 0  0 0 1\n</DataArray></Points>\n<Cells>\n"
+           "<DataArray type=\"Int32\" Name=\"connectivity\">" +
+           nodes +
+           "</DataArray>\n"
            "<DataArray type=\"Int32\" Name=\"offsets\">4</DataArray>\n"
-           "<DataArray type=\"UInt8\" Name=\"types\">" + type + "</DataArray>\n"
+           "<DataArray type=\"UInt8\" Name=\"types\">" +
+           type +
+           "</DataArray>\n"
            "</Cells>\n</Piece>\n";
 }
 
-std::string error(const std::string& text) { return error_of("a.vtu", text); }
+std::string error(const std::string& text) {
+    return error_of("a.vtu", text);
+}
 
 // Everything that a VTU file can hold; long enough for several compressed blocks.
 Mesh rich_mesh() {
@@ -89,14 +96,14 @@ TEST_CASE("VTU pieces are put one behind the other", "[io][vtu]") {
 TEST_CASE("VTU base64 of either byte order, its header padded by itself, is read", "[io][vtu]") {
     const auto piece = [](const std::string& base64) {
         return "<Piece NumberOfPoints=\"1\"><Points><DataArray type=\"Float32\" "
-               "NumberOfComponents=\"3\" format=\"binary\">" + base64 +
-               "</DataArray></Points></Piece>";
+               "NumberOfComponents=\"3\" format=\"binary\">" +
+               base64 + "</DataArray></Points></Piece>";
     };
     // 12 bytes: 1, 0, -0.
     const Result<Mesh> little = read_bytes("a.vtu", vtu(piece("DAAAAA==AACAPwAAAAAAAACA")));
     if (!little) FAIL(little.error().detail);
-    const Result<Mesh> big = read_bytes(
-        "a.vtu", vtu(piece("AAAADA==P4AAAAAAAACAAAAA"), "byte_order=\"BigEndian\""));
+    const Result<Mesh> big =
+        read_bytes("a.vtu", vtu(piece("AAAADA==P4AAAAAAAACAAAAA"), "byte_order=\"BigEndian\""));
     if (!big) FAIL(big.error().detail);
     CHECK(little->positions.as<float>()[0] == 1);
     CHECK(same_array(little->positions, big->positions));

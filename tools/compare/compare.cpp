@@ -10,7 +10,8 @@ namespace ravel::compare {
 namespace {
 
 std::vector<Contender> all_contenders() {
-    return {ours(), draco_triangles(), draco_polygons(), raw_zstd(), raw_xz(), grid_xz(), delta_xz()};
+    return {ours(),   draco_triangles(), draco_polygons(), raw_zstd(),
+            raw_xz(), grid_xz(),         delta_xz()};
 }
 
 template <class F>
@@ -39,7 +40,8 @@ void run(const Contender& contender, const Input& input, Row& row) {
         if (row.connectivity_bytes && *row.connectivity_bytes <= *row.bytes)
             row.geometry_bytes = *row.bytes - *row.connectivity_bytes;
     }
-    auto decoded = timed(row.decode_seconds, [&] { return contender.decode(packed->bytes, input); });
+    auto decoded =
+        timed(row.decode_seconds, [&] { return contender.decode(packed->bytes, input); });
     if (!decoded) {
         row.decode_seconds.reset();
         row.connectivity_kept = "lost";
@@ -92,8 +94,9 @@ std::vector<Row> compare_mesh(const std::string& name, Mesh mesh, const Request&
 }
 
 double bits_per_cell(const Row& row) {
-    return row.bytes && row.cells > 0 ? 8.0 * static_cast<double>(*row.bytes) / static_cast<double>(row.cells)
-                                      : 0;
+    return row.bytes && row.cells > 0
+               ? 8.0 * static_cast<double>(*row.bytes) / static_cast<double>(row.cells)
+               : 0;
 }
 
 std::vector<Mean> geometric_means(const std::vector<Row>& rows) {
@@ -118,8 +121,8 @@ Ratios ratios_to(const std::vector<Row>& rows, CellKind kind, const std::string&
         if (ours.kind != kind || ours.codec != "ravel" || !ours.bytes) continue;
         for (const Row& theirs : rows) {
             if (theirs.mesh != ours.mesh || theirs.codec != peer || !theirs.bytes) continue;
-            ratios.all.emplace_back(ours.mesh, static_cast<double>(*ours.bytes) /
-                                                   static_cast<double>(*theirs.bytes));
+            ratios.all.emplace_back(
+                ours.mesh, static_cast<double>(*ours.bytes) / static_cast<double>(*theirs.bytes));
             if (*ours.bytes >= *theirs.bytes) ratios.lost.push_back(ours.mesh);
         }
     }

@@ -25,7 +25,8 @@ struct Row {
     std::string codec, settings;
     std::optional<std::uint64_t> bytes, connectivity_bytes, geometry_bytes, attribute_bytes;
     std::optional<double> encode_seconds, decode_seconds, max_error;
-    std::string connectivity_kept;  // quads, tets, triangulated, lost; empty if it did not take part
+    std::string
+        connectivity_kept;  // quads, tets, triangulated, lost; empty if it did not take part
     std::string note;
 };
 

@@ -53,7 +53,10 @@ Contender raw_xz();
 Contender grid_xz();
 Contender delta_xz();
 
-// "quads" or "tets": everything came back as it was. (The contract says quads for polygons of any degree.)
-inline const char* kept_word(CellKind kind) { return kind == CellKind::tet ? "tets" : "quads"; }
+// "quads" or "tets": everything came back as it was. (The contract says quads for polygons of any
+// degree.)
+inline const char* kept_word(CellKind kind) {
+    return kind == CellKind::tet ? "tets" : "quads";
+}
 
 }  // namespace ravel::compare

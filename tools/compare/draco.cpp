@@ -26,7 +26,8 @@ std::string refuses(const Input& input) {
     if (input.mesh.kind == CellKind::tet) return "Draco has no tets";
     if (input.mesh.cell_count() == 0) return "Draco takes no mesh without faces";
     if (input.mesh.corners.size() > 0x7fffffffu) return "too large for Draco";
-    if (input.grid && !all_finite(input.mesh)) return "Draco can't quantise positions that are no numbers";
+    if (input.grid && !all_finite(input.mesh))
+        return "Draco can't quantise positions that are no numbers";
     return {};
 }
 
@@ -104,7 +105,8 @@ Verdict check_draco(const Input& input, const Packed&, const Mesh& decoded) {
     verdict.max_error = match.max_error;
     if (match.found == match.expected && match.extra == 0)
         verdict.connectivity_kept = polygons || all_triangles(mesh) ? "quads" : "triangulated";
-    add_note(verdict.note, match.expected - match.found, polygons ? "polygons lost" : "triangles lost");
+    add_note(verdict.note, match.expected - match.found,
+             polygons ? "polygons lost" : "triangles lost");
     add_note(verdict.note, match.extra, polygons ? "polygons made up" : "triangles made up");
     add_note(verdict.note, mesh.point_count() - used_points, "unused points dropped");
     if (decoded.point_count() > used_points)
@@ -125,12 +127,16 @@ std::optional<std::uint64_t> connectivity_of(const Input& input) {
 }  // namespace
 
 Contender draco_triangles() {
-    return {"draco-triangles",   "edgebreaker, speed 0", refuses, encode_draco<false>, decode_draco,
+    return {"draco-triangles",  "edgebreaker, speed 0", refuses, encode_draco<false>, decode_draco,
             check_draco<false>, connectivity_of<false>};
 }
 Contender draco_polygons() {
-    return {"draco-polygons",   "edgebreaker, speed 0, polygons kept", refuses, encode_draco<true>,
-            decode_draco,       check_draco<true>,
+    return {"draco-polygons",
+            "edgebreaker, speed 0, polygons kept",
+            refuses,
+            encode_draco<true>,
+            decode_draco,
+            check_draco<true>,
             connectivity_of<true>};
 }
 

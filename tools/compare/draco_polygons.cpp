@@ -26,9 +26,11 @@ int add_positions(draco::Mesh& result, const Mesh& mesh, bool double_positions, 
         std::array<float, 3> narrow{};
         for (int k = 0; k < 3 && !flat; ++k) {
             wide[static_cast<std::size_t>(k)] = coordinate(mesh, p, k);
-            narrow[static_cast<std::size_t>(k)] = static_cast<float>(wide[static_cast<std::size_t>(k)]);
+            narrow[static_cast<std::size_t>(k)] =
+                static_cast<float>(wide[static_cast<std::size_t>(k)]);
         }
-        const void* value = double_positions ? static_cast<const void*>(wide.data()) : narrow.data();
+        const void* value =
+            double_positions ? static_cast<const void*>(wide.data()) : narrow.data();
         result.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(p), value);
     }
     return id;
@@ -50,7 +52,8 @@ const draco::PointAttribute* marks_of(const draco::Mesh& mesh) {
     const draco::GeometryMetadata* metadata = mesh.GetMetadata();
     if (!metadata) return nullptr;
     const auto* found = metadata->GetAttributeMetadataByStringEntry("name", kMarkName);
-    return found ? mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(found->att_unique_id())) : nullptr;
+    return found ? mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(found->att_unique_id()))
+                 : nullptr;
 }
 
 struct Merger {
@@ -60,7 +63,9 @@ struct Merger {
     const draco::CornerTable& table;
     std::vector<bool> visited;
 
-    std::uint32_t place(draco::PointIndex point) const { return positions.mapped_index(point).value(); }
+    std::uint32_t place(draco::PointIndex point) const {
+        return positions.mapped_index(point).value();
+    }
     bool marked(draco::PointIndex point) const {
         std::uint8_t mark = 0;
         marks.GetMappedValue(point, &mark);
@@ -126,14 +131,14 @@ std::unique_ptr<draco::Mesh> draco_mesh_of(const Mesh& mesh, bool double_positio
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const draco::PointIndex point(3 * triangle + k);
                 face[k] = point;
-                result->attribute(positions)
-                    ->SetPointMapEntry(point, draco::AttributeValueIndex(
-                                                  static_cast<std::uint32_t>(corners[k])));
-                // All but the last triangle of a fan have an added edge opposite their second corner.
+                result->attribute(positions)->SetPointMapEntry(
+                    point, draco::AttributeValueIndex(static_cast<std::uint32_t>(corners[k])));
+                // All but the last triangle of a fan have an added edge opposite their second
+                // corner.
                 const bool added = k == 1 && t + 2 < cell.size();
                 if (marks >= 0)
-                    result->attribute(marks)->SetPointMapEntry(point,
-                                                               draco::AttributeValueIndex(added ? 1 : 0));
+                    result->attribute(marks)->SetPointMapEntry(
+                        point, draco::AttributeValueIndex(added ? 1 : 0));
             }
             result->SetFace(draco::FaceIndex(triangle), face);
         }

@@ -1,4 +1,5 @@
-// Polygons through Draco, which knows triangles only: an attribute marks the edges that cutting added.
+// Polygons through Draco, which knows triangles only: an attribute marks the edges that cutting
+// added.
 #pragma once
 
 #include <memory>

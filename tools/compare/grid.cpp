@@ -33,8 +33,8 @@ std::optional<Grid> grid_for(const Mesh& mesh, const EncodeOptions& options) {
         }
         if (!(low <= high)) continue;
         grid.origin[k] = static_cast<double>(static_cast<float>(low));
-        grid.range = std::max(grid.range, static_cast<double>(static_cast<float>(high) -
-                                                              static_cast<float>(low)));
+        grid.range = std::max(
+            grid.range, static_cast<double>(static_cast<float>(high) - static_cast<float>(low)));
     }
     if (!(grid.range > 0)) grid.range = 1;
     if (options.position_bits) {

@@ -25,7 +25,8 @@ double coordinate(const Mesh& mesh, Index p, int k);
 
 bool all_finite(const Mesh& mesh);
 
-// The grid the options ask for; for an error bound the fewest bits that keep it. Empty for lossless.
+// The grid the options ask for; for an error bound the fewest bits that keep it. Empty for
+// lossless.
 std::optional<Grid> grid_for(const Mesh& mesh, const EncodeOptions& options);
 
 // Arithmetic in float32, step by step as Draco's quantiser does it.

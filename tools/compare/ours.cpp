@@ -6,7 +6,9 @@
 namespace ravel::compare {
 namespace {
 
-std::string refuses(const Input&) { return {}; }
+std::string refuses(const Input&) {
+    return {};
+}
 
 Result<Packed> encode_ours(const Input& input) {
     auto encoded = ravel::encode(input.mesh, input.options);
@@ -49,6 +51,8 @@ Verdict check_ours(const Input& input, const Packed& packed, const Mesh& decoded
 
 }  // namespace
 
-Contender ours() { return {"ravel", "", refuses, encode_ours, decode_ours, check_ours}; }
+Contender ours() {
+    return {"ravel", "", refuses, encode_ours, decode_ours, check_ours};
+}
 
 }  // namespace ravel::compare

@@ -29,7 +29,8 @@ std::vector<Place> places_of(const Mesh& mesh, const std::optional<Grid>& grid, 
 }
 
 // Numbers of places in one sorted list.
-std::vector<std::uint64_t> numbers_of(const std::vector<Place>& places, const std::vector<Place>& sorted) {
+std::vector<std::uint64_t> numbers_of(const std::vector<Place>& places,
+                                      const std::vector<Place>& sorted) {
     std::vector<std::uint64_t> numbers(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
         numbers[i] = static_cast<std::uint64_t>(
@@ -78,7 +79,8 @@ std::vector<Digest> digests_of(const Mesh& mesh, const std::vector<std::uint64_t
 
 }  // namespace
 
-PolygonMatch match_polygons(const Mesh& original, const Mesh& decoded, const std::optional<Grid>& grid) {
+PolygonMatch match_polygons(const Mesh& original, const Mesh& decoded,
+                            const std::optional<Grid>& grid) {
     const std::vector<Place> before = places_of(original, grid, false);
     const std::vector<Place> after = places_of(decoded, grid, true);
     std::vector<Place> sorted = before;
@@ -92,7 +94,8 @@ PolygonMatch match_polygons(const Mesh& original, const Mesh& decoded, const std
     const std::vector<Digest> wanted = digests_of(original, old_numbers);
     const std::vector<Digest> got = digests_of(decoded, new_numbers);
     std::vector<Digest> both;
-    std::set_intersection(wanted.begin(), wanted.end(), got.begin(), got.end(), std::back_inserter(both));
+    std::set_intersection(wanted.begin(), wanted.end(), got.begin(), got.end(),
+                          std::back_inserter(both));
     match.expected = wanted.size();
     match.found = both.size();
     match.extra = got.size() - both.size();

@@ -87,7 +87,8 @@ Numbers positions_of(const Input& input, Layout layout) {
         if (grid)
             numbers.values[i] = grid_number(*grid, coordinate(mesh, i / 3, k), k);
         else
-            std::memcpy(&numbers.values[i], mesh.positions.bytes.data() + i * numbers.width, numbers.width);
+            std::memcpy(&numbers.values[i], mesh.positions.bytes.data() + i * numbers.width,
+                        numbers.width);
     }
     return numbers;
 }
@@ -110,7 +111,8 @@ std::vector<std::byte> arrays_of(const Input& input, Layout layout) {
 std::size_t arrays_size(const Input& input, Layout layout) {
     const Mesh& mesh = input.mesh;
     const Index degrees = mixed_degrees(mesh) ? mesh.cell_count() : 0;
-    return 4 * (degrees + mesh.corners.size()) + 3 * position_width(input, layout) * mesh.point_count();
+    return 4 * (degrees + mesh.corners.size()) +
+           3 * position_width(input, layout) * mesh.point_count();
 }
 
 Result<Mesh> mesh_of_arrays(std::span<const std::byte> arrays, const Input& input, Layout layout) {
@@ -133,8 +135,8 @@ Result<Mesh> mesh_of_arrays(std::span<const std::byte> arrays, const Input& inpu
     Numbers positions{position_width(input, layout), 3, {}};
     const Grid* grid = grid_of(input, layout);
     if (!take(arrays, positions, 3 * original.point_count(), layout)) return broken;
-    mesh.positions = make_array(grid ? Scalar::f32 : original.positions.scalar, 3,
-                                original.point_count());
+    mesh.positions =
+        make_array(grid ? Scalar::f32 : original.positions.scalar, 3, original.point_count());
     for (std::size_t i = 0; i < positions.values.size(); ++i) {
         const int k = static_cast<int>(i % 3);
         if (grid)

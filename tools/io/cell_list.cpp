@@ -12,7 +12,9 @@ namespace ravel::io {
 
 namespace {
 
-bool is_tet(std::uint16_t type) { return type == kVtkTet || type == kVtkQuadraticTet; }
+bool is_tet(std::uint16_t type) {
+    return type == kVtkTet || type == kVtkQuadraticTet;
+}
 bool is_polygon(std::uint16_t type) {
     return type == kVtkTriangle || type == kVtkQuad || type == kVtkPolygon || type == kVtkPixel;
 }
@@ -50,8 +52,8 @@ struct Side {
             index.push_back(kNoIndex);
             return;
         }
-        const auto from = data.values.bytes.begin() +
-                          static_cast<std::ptrdiff_t>(tuple * data.values.stride());
+        const auto from =
+            data.values.bytes.begin() + static_cast<std::ptrdiff_t>(tuple * data.values.stride());
         values.bytes.insert(values.bytes.end(), from,
                             from + static_cast<std::ptrdiff_t>(data.values.stride()));
         index.push_back(present++);
@@ -202,8 +204,9 @@ Result<CellList> join_cells(const Mesh& mesh, const std::string& path) {
     for (const CompanionBlock& block : mesh.companions) {
         if (!block.hosts.empty()) continue;
         for (Index i = 0; i < block.cell_count; ++i) {
-            list.add(block.vtk_type, std::span(block.nodes)
-                                         .subspan(i * block.nodes_per_cell, block.nodes_per_cell));
+            list.add(
+                block.vtk_type,
+                std::span(block.nodes).subspan(i * block.nodes_per_cell, block.nodes_per_cell));
         }
     }
     return list;
@@ -215,13 +218,11 @@ std::vector<CellData> join_cell_data(const Mesh& mesh) {
         const bool on_cells = attribute.place == Place::cell;
         if (!on_cells && attribute.place != Place::companion) continue;
         // The first of its name that has this side still free is its other half.
-        const auto partner =
-            std::find_if(joined.begin(), joined.end(), [&](const CellData& data) {
-                return data.name == attribute.name &&
-                       data.values.scalar == attribute.values.scalar &&
-                       data.values.arity == attribute.values.arity &&
-                       (on_cells ? data.on_cells : data.on_companions) == nullptr;
-            });
+        const auto partner = std::find_if(joined.begin(), joined.end(), [&](const CellData& data) {
+            return data.name == attribute.name && data.values.scalar == attribute.values.scalar &&
+                   data.values.arity == attribute.values.arity &&
+                   (on_cells ? data.on_cells : data.on_companions) == nullptr;
+        });
         CellData fresh{attribute.name, {attribute.values.scalar, attribute.values.arity, {}}, {}};
         CellData& data = partner == joined.end() ? joined.emplace_back(std::move(fresh)) : *partner;
         (on_cells ? data.on_cells : data.on_companions) = &attribute;

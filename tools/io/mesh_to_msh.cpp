@@ -48,7 +48,7 @@ const Attribute* find_nodal(const Mesh& mesh, const char* name, Scalar scalar,
                             std::uint32_t arity) {
     const Attribute* found = find_attribute(mesh, Place::point, name);
     return found && found->values.scalar == scalar && found->values.arity == arity ? found
-                                                                                  : nullptr;
+                                                                                   : nullptr;
 }
 
 struct Building {
@@ -384,8 +384,9 @@ Result<MshFile> mesh_to_msh(const Mesh& mesh, const std::string& path, bool bina
                                          " nodes");
         }
         if (!same_order_in_gmsh(type) && !gmsh_order) {
-            return cannot_hold(path, "higher-order cells whose nodes are in VTK's order can't be "
-                                     "written");
+            return cannot_hold(path,
+                               "higher-order cells whose nodes are in VTK's order can't be "
+                               "written");
         }
     }
     for (std::size_t i = 0; i < mesh.companions.size(); ++i) left_out.take_block(i);

@@ -26,8 +26,8 @@ using MshEntities = std::array<std::vector<MshEntity>, 4>;  // by dimension
 struct MshData {
     Place place = Place::point;  // or cell, which then means all elements
     std::string name;
-    std::string header;        // the other string, real and integer tags; see `default_header`
-    std::vector<Index> tags;   // of nodes or elements
+    std::string header;       // the other string, real and integer tags; see `default_header`
+    std::vector<Index> tags;  // of nodes or elements
     Array values;
 };
 
@@ -51,8 +51,8 @@ struct MshFile {
     Array positions{Scalar::f64, 3, {}};  // f64 when read, whatever the mesh has when written
     std::vector<Index> node_tags;
     std::vector<std::int32_t> node_dimensions, node_entities;  // version 4
-    std::vector<double> parametric;        // three per node that has them
-    std::vector<Index> parametric_index;   // per node, kNoIndex for most
+    std::vector<double> parametric;                            // three per node that has them
+    std::vector<Index> parametric_index;                       // per node, kNoIndex for most
 
     CellList cells;
     std::vector<Index> element_tags;
@@ -96,7 +96,9 @@ inline constexpr const char* kTypesSection = "ArrayTypes";
 std::string gmsh_tag_name(std::size_t slot);
 // Nodes and elements that name no entity are in this one, of the mesh's own dimension.
 inline constexpr std::int32_t kDefaultEntity = 1;
-inline std::int32_t dimension_of(CellKind kind) { return kind == CellKind::tet ? 3 : 2; }
+inline std::int32_t dimension_of(CellKind kind) {
+    return kind == CellKind::tet ? 3 : 2;
+}
 
 // The scalar type of values read back from a file that is text or binary.
 Scalar type_when_read(const Array& values, bool binary);

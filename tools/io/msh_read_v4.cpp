@@ -37,8 +37,7 @@ Result<Block> read_block(MshInput& in, std::uint64_t left, const std::string& wh
         return in.missing("the head of a block of " + what);
     }
     if (block.dimension < 0 || block.dimension > 3) {
-        return in.fault("a block of " + what + " has dimension " +
-                        std::to_string(block.dimension));
+        return in.fault("a block of " + what + " has dimension " + std::to_string(block.dimension));
     }
     if (block.count > left) {
         return in.fault("a block of " + std::to_string(block.count) + ' ' + what +
@@ -47,7 +46,9 @@ Result<Block> read_block(MshInput& in, std::uint64_t left, const std::string& wh
     return block;
 }
 
-bool valid_tag(std::uint64_t tag) { return tag <= std::uint64_t{1} << 62; }
+bool valid_tag(std::uint64_t tag) {
+    return tag <= std::uint64_t{1} << 62;
+}
 
 Status read_node_block(MshInput& in, const Block& block, MshFile& file,
                        std::vector<double>& reals) {
@@ -108,8 +109,7 @@ Status read_elements_v4(MshInput& in, const TagLookup& lookup, MshFile& file) {
     if (!totals) return totals.error();
     std::vector<Index> nodes, ordered;
     for (std::uint64_t b = 0; b < totals->blocks; ++b) {
-        const Result<Block> block =
-            read_block(in, totals->count - file.cells.count(), "elements");
+        const Result<Block> block = read_block(in, totals->count - file.cells.count(), "elements");
         if (!block) return block.error();
         const GmshType* type = find_gmsh_type(block->third);
         if (!type) {

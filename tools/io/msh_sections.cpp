@@ -151,8 +151,10 @@ Status read_data_section(MshInput& in, Place place, MshData& data) {
     for (Index i = 0; i < strings; ++i) {
         text.next_line();
         const std::string string = unquoted(text.rest_of_line());
-        if (i == 0) data.name = string;
-        else extra_strings += "string " + string + '\n';
+        if (i == 0)
+            data.name = string;
+        else
+            extra_strings += "string " + string + '\n';
     }
     if (!read_text_count(text, reals)) return text.expected("the number of real tags");
     bool default_real = reals == 1;
@@ -169,9 +171,12 @@ Status read_data_section(MshInput& in, Place place, MshData& data) {
     for (Index i = 0; i < integers; ++i) {
         std::int64_t value = 0;
         if (!text.read(value)) return text.expected("an integer tag");
-        if (i == 1) arity = value;
-        else if (i == 2) rows = value;
-        else integer_words += ' ' + std::to_string(value);
+        if (i == 1)
+            arity = value;
+        else if (i == 2)
+            rows = value;
+        else
+            integer_words += ' ' + std::to_string(value);
     }
     if (!(strings == 1 && default_real && integer_words == " 0")) {
         data.header = extra_strings + "reals" + real_words + "\nintegers" + integer_words;
@@ -185,9 +190,8 @@ Status read_data_section(MshInput& in, Place place, MshData& data) {
 }
 
 bool has_binary_form(const std::string& section) {
-    for (const char* name :
-         {"Periodic", "PartitionedEntities", "GhostElements", "Parametrizations",
-          "ElementNodeData", "Entities"}) {
+    for (const char* name : {"Periodic", "PartitionedEntities", "GhostElements", "Parametrizations",
+                             "ElementNodeData", "Entities"}) {
         if (section == name) return true;
     }
     return false;

@@ -26,8 +26,8 @@ bool all_are(const std::vector<std::int32_t>& values, std::int32_t value) {
     return std::all_of(values.begin(), values.end(), [&](std::int32_t v) { return v == value; });
 }
 
-// May a section that is kept as it is name nodes or elements by their numbers? Then these have to be
-// kept, too, since the order of points and cells may change.
+// May a section that is kept as it is name nodes or elements by their numbers? Then these have to
+// be kept, too, since the order of points and cells may change.
 bool names_nodes(const MshSection& section) {
     for (const char* name : {"PartitionedEntities", "GhostElements", "Parametrizations",
                              "ElementNodeData", "InterpolationScheme", "Comments"}) {
@@ -87,8 +87,7 @@ std::vector<CellData> columns_of_entities(const MshFile& file) {
     std::vector<std::int32_t> values;
     std::vector<Index> index;
     for (Index c = 0; c < file.cells.count(); ++c) {
-        const auto found =
-            physical.find({file.element_dimensions[c], file.element_entities[c]});
+        const auto found = physical.find({file.element_dimensions[c], file.element_entities[c]});
         index.push_back(found == physical.end() ? kNoIndex : values.size());
         if (found != physical.end()) values.push_back(found->second);
     }
@@ -131,8 +130,7 @@ Result<std::vector<Index>> index_of_rows(const MshData& data, const TagLookup& l
                          what + std::to_string(data.tags[row]) + ", which is not there"};
         }
         if (row_of[element] != kNoIndex) {
-            return Error{Code::unreadable, row,
-                         what + std::to_string(data.tags[row]) + " twice"};
+            return Error{Code::unreadable, row, what + std::to_string(data.tags[row]) + " twice"};
         }
         row_of[element] = row;
     }
@@ -267,8 +265,7 @@ Result<Mesh> msh_to_mesh(MshFile file, const std::string& path) {
         if (!index) return index.error();
         order_rows(data, *index);
         if (on_nodes) {
-            add_attribute(mesh, data.name, Place::point, std::move(data.values),
-                          std::move(*index));
+            add_attribute(mesh, data.name, Place::point, std::move(data.values), std::move(*index));
         } else {
             cell_data.push_back({data.name, std::move(data.values), std::move(*index)});
         }

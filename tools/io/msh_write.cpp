@@ -33,9 +33,12 @@ const GmshType& type_of(const MshFile& file, Index c) {
 
 // Text keeps the positions' own type, so that float32 is written as short as it is.
 void put_coordinate(MshOutput& out, const Array& values, std::size_t flat) {
-    if (out.binary || values.scalar == Scalar::f64) out.put(real_at(values, flat));
-    else if (values.scalar == Scalar::f32) out.put(values.as<float>()[flat]);
-    else out.put(static_cast<std::int64_t>(real_at(values, flat)));
+    if (out.binary || values.scalar == Scalar::f64)
+        out.put(real_at(values, flat));
+    else if (values.scalar == Scalar::f32)
+        out.put(values.as<float>()[flat]);
+    else
+        out.put(static_cast<std::int64_t>(real_at(values, flat)));
 }
 
 // The tags of element c: as many as go on without a gap. A tag before another that is there is 0.
@@ -64,8 +67,10 @@ void put_element_v2(MshOutput& out, const MshFile& file, Index c,
     }
     for (const std::int32_t tag : tags) out.put(tag);
     for (const Index node : gmsh_nodes(file, c, type)) {
-        if (out.binary) out.put(static_cast<std::int32_t>(node));
-        else out.put(node);
+        if (out.binary)
+            out.put(static_cast<std::int32_t>(node));
+        else
+            out.put(node);
     }
     out.end_line();
 }
@@ -246,7 +251,9 @@ void put_format(MshOutput& out, const MshFile& file) {
 }
 
 // Sections that Gmsh has before the nodes; all others that are kept go behind the elements.
-bool before_nodes(const MshSection& section) { return section.name == "PartitionedEntities"; }
+bool before_nodes(const MshSection& section) {
+    return section.name == "PartitionedEntities";
+}
 
 }  // namespace
 
@@ -257,8 +264,10 @@ Status put_nodes_and_elements_v2(MshOutput& out, const MshFile& file, const std:
     out.line("$Nodes");
     out.line(std::to_string(file.node_tags.size()));
     for (Index i = 0; i < file.node_tags.size(); ++i) {
-        if (out.binary) out.put(static_cast<std::int32_t>(file.node_tags[i]));
-        else out.put(file.node_tags[i]);
+        if (out.binary)
+            out.put(static_cast<std::int32_t>(file.node_tags[i]));
+        else
+            out.put(file.node_tags[i]);
         for (std::size_t k = 0; k < 3; ++k) put_coordinate(out, file.positions, 3 * i + k);
         out.end_line();
     }

@@ -15,7 +15,9 @@ namespace ravel::io {
 namespace {
 
 // A number takes a digit and a separator, so this many fit at most into the text that is left.
-bool fits_text(const TextReader& text, Index count) { return count <= text.bytes_left() / 2 + 1; }
+bool fits_text(const TextReader& text, Index count) {
+    return count <= text.bytes_left() / 2 + 1;
+}
 
 Error too_many(const TextReader& text, Index count, const std::string& what) {
     return text.error(std::to_string(count) + " values of " + what +
@@ -97,16 +99,26 @@ Result<Array> read_values(TextReader& text, Scalar scalar, std::uint32_t arity, 
         return too_many(text, tuples, what);
     }
     switch (scalar) {
-        case Scalar::u8: return read_integers<std::uint8_t>(text, arity, numbers, what);
-        case Scalar::i8: return read_integers<std::int8_t>(text, arity, numbers, what);
-        case Scalar::u16: return read_integers<std::uint16_t>(text, arity, numbers, what);
-        case Scalar::i16: return read_integers<std::int16_t>(text, arity, numbers, what);
-        case Scalar::u32: return read_integers<std::uint32_t>(text, arity, numbers, what);
-        case Scalar::i32: return read_integers<std::int32_t>(text, arity, numbers, what);
-        case Scalar::u64: return read_integers<std::uint64_t>(text, arity, numbers, what);
-        case Scalar::i64: return read_integers<std::int64_t>(text, arity, numbers, what);
-        case Scalar::f32: return read_floats(text, arity, numbers, what);
-        case Scalar::f64: break;
+        case Scalar::u8:
+            return read_integers<std::uint8_t>(text, arity, numbers, what);
+        case Scalar::i8:
+            return read_integers<std::int8_t>(text, arity, numbers, what);
+        case Scalar::u16:
+            return read_integers<std::uint16_t>(text, arity, numbers, what);
+        case Scalar::i16:
+            return read_integers<std::int16_t>(text, arity, numbers, what);
+        case Scalar::u32:
+            return read_integers<std::uint32_t>(text, arity, numbers, what);
+        case Scalar::i32:
+            return read_integers<std::int32_t>(text, arity, numbers, what);
+        case Scalar::u64:
+            return read_integers<std::uint64_t>(text, arity, numbers, what);
+        case Scalar::i64:
+            return read_integers<std::int64_t>(text, arity, numbers, what);
+        case Scalar::f32:
+            return read_floats(text, arity, numbers, what);
+        case Scalar::f64:
+            break;
     }
     Result<std::vector<double>> reals = read_reals(text, numbers, what);
     if (!reals) return reals.error();

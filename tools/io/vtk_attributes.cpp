@@ -20,9 +20,8 @@ struct Kind {
     std::uint32_t arity;
 };
 constexpr std::array kKinds = {
-    Kind{"VECTORS", 3},     Kind{"NORMALS", 3},    Kind{"TENSORS", 9},
-    Kind{"TENSORS6", 6},    Kind{"GLOBAL_IDS", 1}, Kind{"PEDIGREE_IDS", 1},
-    Kind{"EDGE_FLAGS", 1},
+    Kind{"VECTORS", 3},    Kind{"NORMALS", 3},      Kind{"TENSORS", 9},    Kind{"TENSORS6", 6},
+    Kind{"GLOBAL_IDS", 1}, Kind{"PEDIGREE_IDS", 1}, Kind{"EDGE_FLAGS", 1},
 };
 
 Status add_values(Reading& reading, std::string_view name, std::string_view type,
@@ -116,8 +115,7 @@ Status read_section(Reading& reading, std::string_view keyword) {
 
 }  // namespace
 
-Status read_vtk_field(VtkLegacy& file, std::vector<NamedArray>& into,
-                      std::optional<Index> tuples) {
+Status read_vtk_field(VtkLegacy& file, std::vector<NamedArray>& into, std::optional<Index> tuples) {
     file.text.line_word();  // the field's own name is always FieldData
     Index arrays = 0;
     if (!file.text.read_in_line(arrays)) return file.text.expected("the number of arrays in FIELD");
@@ -158,8 +156,7 @@ Status read_vtk_attributes(VtkLegacy& file, Index points, Index cells, VtkData& 
             if (!file.text.read_in_line(count)) return file.text.expected("a number of tuples");
             if (count != reading.tuples) {
                 return file.text.error(std::string(keyword) + " is for " + std::to_string(count) +
-                                       " of them, but there are " +
-                                       std::to_string(reading.tuples));
+                                       " of them, but there are " + std::to_string(reading.tuples));
             }
             continue;
         }

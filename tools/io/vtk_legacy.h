@@ -45,8 +45,7 @@ Result<VtkArray> read_vtk_array(VtkLegacy& file, std::string_view type, std::uin
 Error error_at(VtkLegacy& file, const VtkArray& array, Index number, const std::string& sentence);
 
 // Reads everything after the geometry: POINT_DATA, CELL_DATA, FIELD and what is in them.
-Status read_vtk_field(VtkLegacy& file, std::vector<NamedArray>& into,
-                      std::optional<Index> tuples);
+Status read_vtk_field(VtkLegacy& file, std::vector<NamedArray>& into, std::optional<Index> tuples);
 Status read_vtk_attributes(VtkLegacy& file, Index points, Index cells, VtkData& data);
 // Skips a METADATA block: it ends with an empty line.
 void skip_vtk_metadata(VtkLegacy& file);

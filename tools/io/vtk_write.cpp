@@ -127,11 +127,15 @@ bool fits_polydata(const CellList& list, const Mesh& mesh, PolydataRanges& range
     const auto rank = [](std::uint16_t type) {
         switch (type) {
             case kVtkVertex:
-            case kVtkPolyVertex: return 0;
+            case kVtkPolyVertex:
+                return 0;
             case kVtkLine:
-            case kVtkPolyLine: return 1;
-            case kVtkStrip: return 2;
-            default: return 3;
+            case kVtkPolyLine:
+                return 1;
+            case kVtkStrip:
+                return 2;
+            default:
+                return 3;
         }
     };
     ranges.polygons = ranges.vertices_end = ranges.lines_end = mesh.cell_count();

@@ -19,7 +19,9 @@ constexpr std::size_t kBlock = 32768;  // VTK's own
 constexpr std::string_view kDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-Error broken(const std::string& sentence) { return {Code::unreadable, 0, sentence}; }
+Error broken(const std::string& sentence) {
+    return {Code::unreadable, 0, sentence};
+}
 
 constexpr std::array<std::int8_t, 256> digit_values() {
     std::array<std::int8_t, 256> values{};
@@ -63,9 +65,12 @@ void append_size(std::string& out, const VtuCoding& coding, std::uint64_t value)
 // No compressor packs tighter than this, so larger claims are false and get no memory.
 std::uint64_t best_ratio(VtuCompressor compressor) {
     switch (compressor) {
-        case VtuCompressor::zlib: return 1100;
-        case VtuCompressor::lz4: return 256;
-        default: return 16384;
+        case VtuCompressor::zlib:
+            return 1100;
+        case VtuCompressor::lz4:
+            return 256;
+        default:
+            return 16384;
     }
 }
 
@@ -91,7 +96,8 @@ bool unpack(VtuCompressor compressor, std::string_view packed, char* out, std::s
                                              size) == LZMA_OK &&
                    out_at == size;
         }
-        case VtuCompressor::none: break;
+        case VtuCompressor::none:
+            break;
     }
     return false;
 }
@@ -111,9 +117,9 @@ bool pack(VtuCompressor compressor, std::string_view bytes, std::string& packed)
         }
         case VtuCompressor::lz4: {
             packed.resize(static_cast<std::size_t>(LZ4_compressBound(static_cast<int>(kBlock))));
-            const int size = LZ4_compress_default(bytes.data(), packed.data(),
-                                                  static_cast<int>(bytes.size()),
-                                                  static_cast<int>(packed.size()));
+            const int size =
+                LZ4_compress_default(bytes.data(), packed.data(), static_cast<int>(bytes.size()),
+                                     static_cast<int>(packed.size()));
             if (size <= 0) return false;
             packed.resize(static_cast<std::size_t>(size));
             return true;
@@ -129,7 +135,8 @@ bool pack(VtuCompressor compressor, std::string_view bytes, std::string& packed)
             packed.resize(size);
             return true;
         }
-        case VtuCompressor::none: break;
+        case VtuCompressor::none:
+            break;
     }
     return false;
 }

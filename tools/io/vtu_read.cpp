@@ -81,9 +81,9 @@ Result<Array> read_text_array(const VtuFile& file, const pugi::xml_node& node, S
     Index words = 0;
     while (!counter.word().empty()) ++words;
     if (words % arity != 0) {
-        return error_at(file, node, "array " + name_of_array(node) + " has " +
-                                        std::to_string(words) + " values, no multiple of its " +
-                                        std::to_string(arity) + " components");
+        return error_at(file, node,
+                        "array " + name_of_array(node) + " has " + std::to_string(words) +
+                            " values, no multiple of its " + std::to_string(arity) + " components");
     }
     TextReader text(file.bytes.substr(0, start + inside->size()), file.path, {'\0', false});
     text.seek(start);
@@ -98,8 +98,9 @@ Result<Array> read_binary_array(const VtuFile& file, const pugi::xml_node& node,
         const Result<Index> offset = read_count(file, node, "offset", kNoIndex);
         if (!offset) return offset.error();
         if (*offset > file.appended.size()) {
-            return error_at(file, node, "the offset of array " + name_of_array(node) +
-                                            " is missing or beyond the appended data");
+            return error_at(file, node,
+                            "the offset of array " + name_of_array(node) +
+                                " is missing or beyond the appended data");
         }
         place = file.appended.substr(*offset);
     } else {
@@ -117,10 +118,9 @@ Result<Array> read_binary_array(const VtuFile& file, const pugi::xml_node& node,
     }
     Array array{scalar, arity, {}};
     if (bytes->size() % array.stride() != 0) {
-        return error_at(file, node, "array " + name_of_array(node) + " has " +
-                                        std::to_string(bytes->size()) +
-                                        " bytes, no multiple of its tuples' " +
-                                        std::to_string(array.stride()));
+        return error_at(file, node,
+                        "array " + name_of_array(node) + " has " + std::to_string(bytes->size()) +
+                            " bytes, no multiple of its tuples' " + std::to_string(array.stride()));
     }
     array.bytes.resize(bytes->size());
     if (!bytes->empty()) std::memcpy(array.bytes.data(), bytes->data(), bytes->size());
@@ -131,9 +131,9 @@ Result<Array> read_binary_array(const VtuFile& file, const pugi::xml_node& node,
 Result<Array> read_array(const VtuFile& file, const pugi::xml_node& node) {
     const std::optional<Scalar> scalar = vtu_scalar(node.attribute("type").value());
     if (!scalar) {
-        return error_at(file, node, "array " + name_of_array(node) + " is of type '" +
-                                        node.attribute("type").value() +
-                                        "', which is not supported");
+        return error_at(file, node,
+                        "array " + name_of_array(node) + " is of type '" +
+                            node.attribute("type").value() + "', which is not supported");
     }
     const Result<Index> arity = read_count(file, node, "NumberOfComponents", 1);
     if (!arity) return arity.error();
@@ -162,9 +162,10 @@ Result<std::vector<NamedArray>> read_arrays(const VtuFile& file, const pugi::xml
         Result<Array> array = read_array(file, node);
         if (!array) return array.error();
         if (tuples && array->count() != *tuples) {
-            return error_at(file, node, "array " + name_of_array(node) + " has " +
-                                            std::to_string(array->count()) + " tuples where " +
-                                            std::to_string(*tuples) + " are needed");
+            return error_at(file, node,
+                            "array " + name_of_array(node) + " has " +
+                                std::to_string(array->count()) + " tuples where " +
+                                std::to_string(*tuples) + " are needed");
         }
         arrays.push_back({node.attribute("Name").value(), std::move(*array)});
     }
@@ -204,9 +205,9 @@ Result<std::vector<Index>> read_indices(const VtuFile& file, const pugi::xml_nod
         return error_at(file, node, "array '" + std::string(name) + "': " + indices.error().detail);
     }
     if (count && indices->size() != *count) {
-        return error_at(file, node, "array '" + std::string(name) + "' has " +
-                                        std::to_string(indices->size()) + " values where " +
-                                        std::to_string(*count) + " are needed");
+        return error_at(file, node,
+                        "array '" + std::string(name) + "' has " + std::to_string(indices->size()) +
+                            " values where " + std::to_string(*count) + " are needed");
     }
     return indices;
 }
@@ -222,8 +223,9 @@ Status read_cells(const VtuFile& file, const pugi::xml_node& piece, Index points
     if (!nodes) return nodes.error();
     for (Index& node : *nodes) {
         if (node >= points) {
-            return error_at(file, cells, "a cell uses point " + std::to_string(node) +
-                                             ", but the piece has only " + std::to_string(points));
+            return error_at(file, cells,
+                            "a cell uses point " + std::to_string(node) +
+                                ", but the piece has only " + std::to_string(points));
         }
         node += grid.points;
     }
@@ -231,10 +233,10 @@ Status read_cells(const VtuFile& file, const pugi::xml_node& piece, Index points
     for (Index c = 0; c < count; ++c) {
         const Index end = (*ends)[c];
         if (end < begin || end > nodes->size()) {
-            return error_at(file, cells, "the offsets of the cells must ascend and stay within " +
-                                             std::to_string(nodes->size()) +
-                                             " nodes; that of cell " + std::to_string(c) + " is " +
-                                             std::to_string(end));
+            return error_at(file, cells,
+                            "the offsets of the cells must ascend and stay within " +
+                                std::to_string(nodes->size()) + " nodes; that of cell " +
+                                std::to_string(c) + " is " + std::to_string(end));
         }
         if (const auto fault = cell_fault((*types)[c], end - begin)) {
             return error_at(file, cells, *fault + " (cell " + std::to_string(c) + ")");
@@ -259,8 +261,8 @@ Status read_piece(const VtuFile& file, const pugi::xml_node& piece, bool first, 
         Result<Array> array = read_array(file, node);
         if (!array) return array.error();
         if (array->arity != 3 || array->count() != *points) {
-            return error_at(file, node, "the points are not " + std::to_string(*points) +
-                                            " tuples of 3");
+            return error_at(file, node,
+                            "the points are not " + std::to_string(*points) + " tuples of 3");
         }
         Result<Array> positions = as_positions(std::move(*array));
         if (!positions) return error_at(file, node, positions.error().detail);
@@ -312,9 +314,12 @@ Status read_coding(VtuFile& file, const pugi::xml_node& root) {
     }
     file.coding.header_64 = header == "UInt64";
     const std::string_view compressor = root.attribute("compressor").as_string("");
-    if (compressor == "vtkZLibDataCompressor") file.coding.compressor = VtuCompressor::zlib;
-    else if (compressor == "vtkLZ4DataCompressor") file.coding.compressor = VtuCompressor::lz4;
-    else if (compressor == "vtkLZMADataCompressor") file.coding.compressor = VtuCompressor::lzma;
+    if (compressor == "vtkZLibDataCompressor")
+        file.coding.compressor = VtuCompressor::zlib;
+    else if (compressor == "vtkLZ4DataCompressor")
+        file.coding.compressor = VtuCompressor::lz4;
+    else if (compressor == "vtkLZMADataCompressor")
+        file.coding.compressor = VtuCompressor::lzma;
     else if (!compressor.empty()) {
         return error_at(file, root, "compressor \"" + std::string(compressor) + "\" is unknown");
     }
@@ -326,8 +331,7 @@ Result<std::string> cut_appended(VtuFile& file) {
     const std::size_t tag = file.bytes.find("<AppendedData");
     if (tag == std::string_view::npos) return std::string(file.bytes);
     const std::size_t close = file.bytes.find('>', tag);
-    const std::size_t mark =
-        close == std::string_view::npos ? close : file.bytes.find('_', close);
+    const std::size_t mark = close == std::string_view::npos ? close : file.bytes.find('_', close);
     if (mark == std::string_view::npos) {
         return byte_error(file.path, tag, "<AppendedData> has no '_' that begins the data");
     }
@@ -359,9 +363,9 @@ Result<Mesh> read_vtu(const std::string& path) {
     if (Status status = read_coding(file, root); !status) return status.error();
     const pugi::xml_node unstructured = root.child("UnstructuredGrid");
     if (!unstructured) {
-        return error_at(file, root, "a VTK XML file of type \"" +
-                                        std::string(root.attribute("type").value()) +
-                                        "\" is not supported; UnstructuredGrid is");
+        return error_at(file, root,
+                        "a VTK XML file of type \"" + std::string(root.attribute("type").value()) +
+                            "\" is not supported; UnstructuredGrid is");
     }
     Grid grid;
     Result<std::vector<NamedArray>> field =

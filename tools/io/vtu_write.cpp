@@ -26,14 +26,29 @@ std::string escaped(std::string_view text) {
     std::string safe;
     for (const char c : text) {
         switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            case '\n': safe += "&#10;"; break;
-            case '\r': safe += "&#13;"; break;
-            case '\t': safe += "&#9;"; break;
-            default: safe += c;
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\n':
+                safe += "&#10;";
+                break;
+            case '\r':
+                safe += "&#13;";
+                break;
+            case '\t':
+                safe += "&#9;";
+                break;
+            default:
+                safe += c;
         }
     }
     return safe;
@@ -41,10 +56,14 @@ std::string escaped(std::string_view text) {
 
 std::string compressor_attribute(VtuCompressor compressor) {
     switch (compressor) {
-        case VtuCompressor::zlib: return " compressor=\"vtkZLibDataCompressor\"";
-        case VtuCompressor::lz4: return " compressor=\"vtkLZ4DataCompressor\"";
-        case VtuCompressor::lzma: return " compressor=\"vtkLZMADataCompressor\"";
-        case VtuCompressor::none: break;
+        case VtuCompressor::zlib:
+            return " compressor=\"vtkZLibDataCompressor\"";
+        case VtuCompressor::lz4:
+            return " compressor=\"vtkLZ4DataCompressor\"";
+        case VtuCompressor::lzma:
+            return " compressor=\"vtkLZMADataCompressor\"";
+        case VtuCompressor::none:
+            break;
     }
     return "";
 }
@@ -147,8 +166,9 @@ Status write_vtu_as(const Mesh& mesh, const std::string& path, const VtuOptions&
     for (std::size_t i = 0; i < mesh.companions.size(); ++i) left_out.take_block(i);
     Writing file{options, {}, {}};
     const bool text = options.encoding == VtuEncoding::text;
-    file.out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-               "byte_order=\"LittleEndian\" header_type=\"";
+    file.out =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+        "byte_order=\"LittleEndian\" header_type=\"";
     file.out += options.coding.header_64 ? "UInt64\"" : "UInt32\"";
     if (!text) file.out += compressor_attribute(options.coding.compressor);
     file.out += ">\n";
@@ -157,8 +177,8 @@ Status write_vtu_as(const Mesh& mesh, const std::string& path, const VtuOptions&
     }
     const bool base64 = options.encoding == VtuEncoding::appended_base64;
     if (base64 || options.encoding == VtuEncoding::appended_raw) {
-        file.out += base64 ? "<AppendedData encoding=\"base64\">\n_"
-                           : "<AppendedData encoding=\"raw\">\n_";
+        file.out +=
+            base64 ? "<AppendedData encoding=\"base64\">\n_" : "<AppendedData encoding=\"raw\">\n_";
         file.out += file.appended;
         file.out += "\n</AppendedData>\n";
     }

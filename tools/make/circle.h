@@ -1,5 +1,5 @@
-// Points on the unit circle from +, -, * alone: the C library's sine differs between machines in the
-// last bit, and a corpus mesh must not.
+// Points on the unit circle from +, -, * alone: the C library's sine differs between machines in
+// the last bit, and a corpus mesh must not.
 #pragma once
 
 namespace ravel::make {

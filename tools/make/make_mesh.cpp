@@ -13,9 +13,9 @@ struct Family {
     Builder (*make)(Recipe&);
 };
 constexpr Family kFamilies[] = {
-    {"grid", make_grid},         {"torus", make_torus},       {"sphere", make_sphere},
-    {"moebius", make_moebius},   {"terrain", make_terrain},   {"polygons", make_polygons},
-    {"tets", make_tets},         {"soup", make_soup},         {"tiny", make_tiny},
+    {"grid", make_grid},       {"torus", make_torus},     {"sphere", make_sphere},
+    {"moebius", make_moebius}, {"terrain", make_terrain}, {"polygons", make_polygons},
+    {"tets", make_tets},       {"soup", make_soup},       {"tiny", make_tiny},
 };
 
 std::vector<Index> shuffled(std::size_t count, Random& random) {
@@ -66,8 +66,8 @@ void repeat(Builder& builder, std::uint64_t copies) {
 // Something of every place and type, smooth and rough, with and without an index.
 void add_attributes(Mesh& mesh) {
     const auto wave = [](std::size_t i) { return static_cast<double>(i % 97) * 0.25; };
-    mesh.attributes.push_back(
-        make_attribute<float>("temperature", Place::point, Scalar::f32, 1, mesh.point_count(), wave));
+    mesh.attributes.push_back(make_attribute<float>("temperature", Place::point, Scalar::f32, 1,
+                                                    mesh.point_count(), wave));
     mesh.attributes.push_back(
         make_attribute<double>("velocity", Place::point, Scalar::f64, 3, mesh.point_count(), wave));
     mesh.attributes.push_back(make_attribute<std::int32_t>(
@@ -75,14 +75,16 @@ void add_attributes(Mesh& mesh) {
         [&](std::size_t i) { return i * 4 / (mesh.cell_count() + 1); }));
     const auto cells = static_cast<std::int64_t>(mesh.cell_count());
     Attribute neighbour = make_attribute<std::int64_t>(
-        "neighbour", Place::cell, Scalar::i64, 1, mesh.cell_count(),
-        [&](std::size_t i) { return i % 11 == 0 ? -1 : (static_cast<std::int64_t>(i) + 5) % cells; });
+        "neighbour", Place::cell, Scalar::i64, 1, mesh.cell_count(), [&](std::size_t i) {
+            return i % 11 == 0 ? -1 : (static_cast<std::int64_t>(i) + 5) % cells;
+        });
     neighbour.references.push_back({0, Place::cell, 0});
     mesh.attributes.push_back(std::move(neighbour));
     mesh.tag_names.push_back({"region", -1, 0, "first"});
     mesh.tag_names.push_back({"region", -1, 1, "second"});
     if (mesh.kind != CellKind::polygon) return;
-    Attribute uv = make_attribute<float>("vt", Place::corner, Scalar::f32, 2, mesh.point_count(), wave);
+    Attribute uv =
+        make_attribute<float>("vt", Place::corner, Scalar::f32, 2, mesh.point_count(), wave);
     uv.index = mesh.corners;
     mesh.attributes.push_back(std::move(uv));
 }
@@ -101,9 +103,9 @@ void add_companions(Mesh& mesh) {
     }
     mesh.companions.push_back(std::move(triangles));
     mesh.companions.push_back(std::move(lines));
-    mesh.attributes.push_back(make_attribute<std::int32_t>(
-        "tag", Place::companion, Scalar::i32, 1, mesh.companion_count(),
-        [](std::size_t i) { return i % 5; }));
+    mesh.attributes.push_back(make_attribute<std::int32_t>("tag", Place::companion, Scalar::i32, 1,
+                                                           mesh.companion_count(),
+                                                           [](std::size_t i) { return i % 5; }));
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ Builder honeycomb(std::uint64_t width, std::uint64_t height) {
     for (std::uint64_t y = 0; y <= height; ++y)
         for (std::uint64_t x = 0; x < columns; ++x) {
             const double zigzag = (x + y) % 2 == 0 ? 0.0 : 0.28867513459481287;
-            builder.add_point(static_cast<double>(x) * 0.5, static_cast<double>(y) * 0.86602540378443865 + zigzag, 0);
+            builder.add_point(static_cast<double>(x) * 0.5,
+                              static_cast<double>(y) * 0.86602540378443865 + zigzag, 0);
         }
     for (std::uint64_t y = 0; y < height; ++y)
         for (std::uint64_t x = 0; x < width; ++x) {
@@ -38,7 +39,8 @@ Builder mixed(std::uint64_t width, std::uint64_t height, Random& random) {
     const auto point = [&](std::uint64_t x, std::uint64_t y) { return y * (width + 1) + x; };
     for (std::uint64_t y = 0; y < height; ++y)
         for (std::uint64_t x = 0; x < width; ++x) {
-            const Index a = point(x, y), b = point(x + 1, y), c = point(x + 1, y + 1), d = point(x, y + 1);
+            const Index a = point(x, y), b = point(x + 1, y), c = point(x + 1, y + 1),
+                        d = point(x, y + 1);
             switch (random.below(8)) {
                 case 0:
                     builder.add_cell({a, b, c});
@@ -59,7 +61,8 @@ Builder mixed(std::uint64_t width, std::uint64_t height, Random& random) {
                         break;
                     }
                     [[fallthrough]];
-                default: builder.add_cell({a, b, c, d});
+                default:
+                    builder.add_cell({a, b, c, d});
             }
         }
     return builder;
@@ -73,7 +76,8 @@ Builder cap(std::uint64_t degree) {
         const double fraction = static_cast<double>(ring) / (kRings + 1.0);
         const CirclePoint slope = circle_point(fraction / 4);
         for (std::uint64_t i = 0; i < degree; ++i) {
-            const CirclePoint around = circle_point(static_cast<double>(i) / static_cast<double>(degree));
+            const CirclePoint around =
+                circle_point(static_cast<double>(i) / static_cast<double>(degree));
             builder.add_point(around.cosine * slope.cosine, around.sine * slope.cosine, slope.sine);
         }
     }

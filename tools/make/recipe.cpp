@@ -46,7 +46,9 @@ T bounded(Recipe& recipe, std::string_view key, T otherwise, T low, T high) {
 
 }  // namespace
 
-bool Recipe::has(std::string_view key) { return find(*this, key) != nullptr; }
+bool Recipe::has(std::string_view key) {
+    return find(*this, key) != nullptr;
+}
 
 std::uint64_t Recipe::integer(std::string_view key, std::uint64_t otherwise, std::uint64_t low,
                               std::uint64_t high) {
@@ -70,7 +72,8 @@ void Recipe::sizes(std::string_view key, std::uint64_t* values, int count, std::
         if (!good) values[i] = 1;
     }
     if (!good && complaint.empty())
-        complaint = std::string(key) + " must be like 20x20x20, each from 1 to " + std::to_string(high);
+        complaint =
+            std::string(key) + " must be like 20x20x20, each from 1 to " + std::to_string(high);
 }
 
 std::string Recipe::verdict() const {

@@ -1,5 +1,6 @@
-// Random cells with every kind of dirt at once: repeated and flipped cells, fans of many cells on one
-// facet, pinched points, cells that repeat a corner, points that no cell uses, NaN, infinities, -0.
+// Random cells with every kind of dirt at once: repeated and flipped cells, fans of many cells on
+// one facet, pinched points, cells that repeat a corner, points that no cell uses, NaN, infinities,
+// -0.
 #include <algorithm>
 #include <limits>
 
@@ -11,18 +12,24 @@ namespace {
 
 double dirty_number(Random& random) {
     switch (random.below(5)) {
-        case 0: return std::numeric_limits<double>::quiet_NaN();
-        case 1: return std::numeric_limits<double>::infinity();
-        case 2: return -std::numeric_limits<double>::infinity();
-        case 3: return -0.0;
-        default: return 1e30 * random.symmetric();
+        case 0:
+            return std::numeric_limits<double>::quiet_NaN();
+        case 1:
+            return std::numeric_limits<double>::infinity();
+        case 2:
+            return -std::numeric_limits<double>::infinity();
+        case 3:
+            return -0.0;
+        default:
+            return 1e30 * random.symmetric();
     }
 }
 
 void add_points(Builder& builder, std::uint64_t count, bool dirty, Random& random) {
     for (std::uint64_t i = 0; i < count; ++i) {
         double p[3];
-        for (double& x : p) x = dirty && random.one_in(40) ? dirty_number(random) : random.symmetric();
+        for (double& x : p)
+            x = dirty && random.one_in(40) ? dirty_number(random) : random.symmetric();
         builder.add_point(p[0], p[1], p[2]);
         if (random.one_in(12)) builder.add_point(p[0], p[1], p[2]);  // the same place twice
     }

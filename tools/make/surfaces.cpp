@@ -11,7 +11,9 @@
 namespace ravel::make {
 namespace {
 
-std::uint64_t seed_of(Recipe& recipe) { return recipe.integer("seed", 1, 0, ~std::uint64_t{0}); }
+std::uint64_t seed_of(Recipe& recipe) {
+    return recipe.integer("seed", 1, 0, ~std::uint64_t{0});
+}
 
 double unit_noise(std::uint64_t a, std::uint64_t b, std::uint64_t seed) {
     return static_cast<double>(hash_of(a, b, seed) >> 11) * 0x1p-53;
@@ -101,7 +103,8 @@ Builder make_sphere(Recipe& recipe) {
             double p[3], length = 0;
             for (int k = 0; k < 3; ++k) {
                 p[k] = 2 * static_cast<double>(at[static_cast<std::size_t>(k)]) /
-                           static_cast<double>(side) - 1;
+                           static_cast<double>(side) -
+                       1;
                 length += p[k] * p[k];
             }
             const double noise = smooth_noise(4 * p[0] + p[2] + 9, 4 * p[1] - p[2] + 9, seed);
@@ -138,7 +141,8 @@ Builder make_moebius(Recipe& recipe) {
         const double around = static_cast<double>(i) / static_cast<double>(size[0]);
         const CirclePoint big = circle_point(around), twist = circle_point(around / 2);
         for (std::uint64_t j = 0; j <= size[1]; ++j) {
-            const double across = 0.8 * (static_cast<double>(j) / static_cast<double>(size[1]) - 0.5);
+            const double across =
+                0.8 * (static_cast<double>(j) / static_cast<double>(size[1]) - 0.5);
             const double reach = 1 + across * twist.cosine;
             builder.add_point(reach * big.cosine, reach * big.sine, across * twist.sine);
         }

@@ -15,7 +15,8 @@ Json bits_each(const std::optional<std::uint64_t>& bytes, Index elements) {
     return 8.0 * static_cast<double>(*bytes) / static_cast<double>(elements);
 }
 
-std::string ratio_lines(const std::vector<compare::Row>& rows, CellKind kind, const std::string& peer) {
+std::string ratio_lines(const std::vector<compare::Row>& rows, CellKind kind,
+                        const std::string& peer) {
     const compare::Ratios ratios = compare::ratios_to(rows, kind, peer);
     if (ratios.all.empty()) return {};
     std::string line = fmt::format("ravel/{}:", peer);
@@ -61,8 +62,8 @@ std::string summary_of(const std::vector<compare::Row>& rows) {
         for (const compare::Mean& mean : compare::geometric_means(rows))
             if (mean.kind == kind)
                 text += fmt::format("geometric mean, {} mesh{} of {}s: {} {:.3f} bits per cell\n",
-                                    mean.meshes, mean.meshes == 1 ? "" : "es", name_of(kind), mean.codec,
-                                    mean.bits_per_cell);
+                                    mean.meshes, mean.meshes == 1 ? "" : "es", name_of(kind),
+                                    mean.codec, mean.bits_per_cell);
     text += ratio_lines(rows, CellKind::tet, "xz");
     text += ratio_lines(rows, CellKind::tet, "xz-grid");
     text += ratio_lines(rows, CellKind::polygon, "draco-triangles");

@@ -20,9 +20,9 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                       ->check(CLI::PositiveNumber)
                       ->type_name("E")
                       ->group("Positions");
-    auto* lossless = verb.add_flag("--lossless", flags.lossless,
-                                   "Positions to the last bit (the default)")
-                         ->group("Positions");
+    auto* lossless =
+        verb.add_flag("--lossless", flags.lossless, "Positions to the last bit (the default)")
+            ->group("Positions");
     verb.add_flag("--float32", flags.float32, "Round float64 positions to float32 first")
         ->excludes(bits)
         ->excludes(error)

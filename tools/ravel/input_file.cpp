@@ -12,7 +12,9 @@
 namespace ravel::tool {
 namespace {
 
-Error unreadable(std::string detail) { return {Code::unreadable, 0, std::move(detail)}; }
+Error unreadable(std::string detail) {
+    return {Code::unreadable, 0, std::move(detail)};
+}
 
 }  // namespace
 
@@ -25,7 +27,8 @@ Result<std::vector<std::byte>> read_bytes(const std::string& path) {
             if (file != stdin) std::fclose(file);
         }
     };
-    const std::unique_ptr<std::FILE, Closer> file(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
+    const std::unique_ptr<std::FILE, Closer> file(path == "-" ? stdin
+                                                              : std::fopen(path.c_str(), "rb"));
     if (!file) return unreadable(path + ": " + std::strerror(errno));
     std::vector<std::byte> bytes;
     std::size_t size = 0;

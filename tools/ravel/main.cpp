@@ -22,7 +22,8 @@ constexpr const char* kFooter =
 
 int run(int argc, char** argv) {
     using namespace ravel::tool;
-    CLI::App app{"Packs polygon and tetrahedral meshes by winding all cells onto one strip.", "ravel"};
+    CLI::App app{"Packs polygon and tetrahedral meshes by winding all cells onto one strip.",
+                 "ravel"};
     app.footer(kFooter);
     app.set_version_flag("--version", "ravel " RAVEL_VERSION);
     app.require_subcommand(1);

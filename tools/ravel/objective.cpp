@@ -18,7 +18,9 @@ Vector minus(const Vector& a, const Vector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 // Of length one, or not finite.
 Vector unit(const Vector& a) {
@@ -95,13 +97,12 @@ std::vector<std::uint32_t> facet_weights(const Mesh& mesh, const Complex& comple
             const Vector change = minus(shapes.normal[b], shapes.normal[a]);
             off = std::sqrt(dot(change, change)) / 2;  // the sine of half the angle
         } else {
-            const auto axis = static_cast<std::size_t>(objective) -
-                              static_cast<std::size_t>(Objective::axis_x);
+            const auto axis =
+                static_cast<std::size_t>(objective) - static_cast<std::size_t>(Objective::axis_x);
             off = 1 - std::fabs(unit(minus(shapes.middle[b], shapes.middle[a]))[axis]);
         }
         if (!(off < 1)) continue;
-        weights[f] = weights[g] =
-            static_cast<std::uint32_t>(kHeaviest * std::max(off, 0.0) + 0.5);
+        weights[f] = weights[g] = static_cast<std::uint32_t>(kHeaviest * std::max(off, 0.0) + 0.5);
     }
     return weights;
 }

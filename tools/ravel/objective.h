@@ -33,9 +33,9 @@ std::vector<std::uint32_t> facet_weights(const Mesh& mesh, const Complex& comple
 // normal or place (flat or not finite) don't count.
 struct StepFacts {
     std::uint64_t steps = 0;
-    double normal_change_degrees = 0;       // mean angle between the normals; 0 for tets
-    double turn_percent = 0;                // polygons: cells left by a side next to the entry
-    std::array<double, 3> axis_percent{};   // steps whose longest component is x, y or z
+    double normal_change_degrees = 0;      // mean angle between the normals; 0 for tets
+    double turn_percent = 0;               // polygons: cells left by a side next to the entry
+    std::array<double, 3> axis_percent{};  // steps whose longest component is x, y or z
 };
 StepFacts measure_steps(const Mesh& mesh, const Complex& complex, const Strip& strip);
 

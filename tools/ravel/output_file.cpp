@@ -23,8 +23,8 @@ Error unwritable(const std::string& path) {
 bool is_stream(const std::string& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
-    return path == "-" || (fs::exists(status) && !fs::is_regular_file(status) &&
-                           !fs::is_directory(status));
+    return path == "-" ||
+           (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
 }
 
 Status write_all(int file, std::span<const std::byte> bytes, const std::string& path) {
@@ -91,8 +91,9 @@ Status may_write(const std::string& path, bool force) {
 }
 
 Status write_file(const std::string& path, std::span<const std::byte> bytes) {
-    const int file = path == "-" ? STDOUT_FILENO
-                                 : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int file = path == "-"
+                         ? STDOUT_FILENO
+                         : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) return unwritable(path);
     Status status = write_all(file, bytes, path);
     if (path != "-" && ::close(file) != 0 && status) status = unwritable(path);

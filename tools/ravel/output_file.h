@@ -1,5 +1,5 @@
-// Outputs appear whole or not at all: they are written into a hidden folder beside their place, then
-// renamed. "-" is stdout, and a device or pipe is written to as it is.
+// Outputs appear whole or not at all: they are written into a hidden folder beside their place,
+// then renamed. "-" is stdout, and a device or pipe is written to as it is.
 #pragma once
 
 #include <cstddef>

@@ -42,10 +42,14 @@ std::string quoted_csv(const std::string& text) {
 std::string escaped_html(const std::string& text) {
     std::string escaped;
     for (char c : text) {
-        if (c == '<') escaped += "&lt;";
-        else if (c == '>') escaped += "&gt;";
-        else if (c == '&') escaped += "&amp;";
-        else escaped += c;
+        if (c == '<')
+            escaped += "&lt;";
+        else if (c == '>')
+            escaped += "&gt;";
+        else if (c == '&')
+            escaped += "&amp;";
+        else
+            escaped += c;
     }
     return escaped;
 }
@@ -149,7 +153,8 @@ std::string markdown_of(const Json& rows, const std::vector<std::string>& wanted
 std::string html_of(const Json& rows, const std::string& title, const std::string& remarks) {
     const std::vector<std::string> columns = columns_of(rows, {});
     std::string page = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n<style>\n"
+        "<!doctype html>\n<html lang=\"en\"><head><meta "
+        "charset=\"utf-8\"><title>{0}</title>\n<style>\n"
         "body {{ font: 14px/1.4 system-ui, sans-serif; margin: 2em; color: #222; }}\n"
         "table {{ border-collapse: collapse; }}\n"
         "th, td {{ padding: 2px 8px; border-bottom: 1px solid #ddd; text-align: right; }}\n"

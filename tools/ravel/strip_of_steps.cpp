@@ -14,7 +14,8 @@ Id facet_of(const Complex& complex, Id cell, std::uint32_t facet) {
 }
 
 Error misfit(Index cell) {
-    return {Code::corrupt, cell, "the strip's step to cell " + std::to_string(cell) + " leads elsewhere"};
+    return {Code::corrupt, cell,
+            "the strip's step to cell " + std::to_string(cell) + " leads elsewhere"};
 }
 
 // Glues the loop's last cell back to its first, by a facet no strip uses yet.
@@ -22,7 +23,8 @@ bool close_loop(const Complex& complex, Strip& strip, Id last, Id first) {
     if (last == first) return false;
     for (Id f = complex.first[last]; f < complex.first[last + 1]; ++f) {
         const Id twin = complex.twin[f];
-        if (twin == kNone || complex.cell_of[twin] != first || strip.role[f] != FacetRole::none) continue;
+        if (twin == kNone || complex.cell_of[twin] != first || strip.role[f] != FacetRole::none)
+            continue;
         strip.role[f] = strip.role[twin] = FacetRole::strip;
         return true;
     }
@@ -33,7 +35,8 @@ bool close_loop(const Complex& complex, Strip& strip, Id last, Id first) {
 
 Result<Strip> strip_of_steps(const Complex& complex, const std::vector<StripStep>& steps) {
     const Id cells = complex.cell_count();
-    if (steps.size() != cells) return Error{Code::corrupt, steps.size(), "one step per cell is needed"};
+    if (steps.size() != cells)
+        return Error{Code::corrupt, steps.size(), "one step per cell is needed"};
     Strip strip;
     strip.role.assign(complex.twin.size(), FacetRole::none);
     std::vector<Id> last(cells, kNone);   // first cell of a strip -> its last

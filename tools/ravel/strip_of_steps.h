@@ -8,9 +8,9 @@
 
 namespace ravel::tool {
 
-// `steps` name only the facets by which cells are first entered; a loop's last facet, which leads back
-// to its first cell, is found again from the complex. A component's first strip is closed wherever
-// its ends touch. Fails with corrupt where the steps don't fit the complex.
+// `steps` name only the facets by which cells are first entered; a loop's last facet, which leads
+// back to its first cell, is found again from the complex. A component's first strip is closed
+// wherever its ends touch. Fails with corrupt where the steps don't fit the complex.
 Result<Strip> strip_of_steps(const Complex& complex, const std::vector<StripStep>& steps);
 
 }  // namespace ravel::tool

@@ -28,12 +28,11 @@ struct Table2 {
     int tets, vertices, nodal, cycles, linear;
     double more_tets, more_vertices, seconds;
 };
-constexpr std::array<Table2, 5> kTable2{
-    {{"Trico", 15310, 4633, 139, 376, 12, 9.8, 8.1, 132},
-     {"Fandisk", 22491, 7144, 290, 471, 2, 8.3, 6.6, 414},
-     {"Ball", 430, 162, 3, 9, 0, 7.4, 4.9, 1},  // "<1" seconds
-     {"Spring", 24359, 7226, 326, 737, 4, 12.1, 10.2, 415},
-     {"Blob", 31526, 8769, 197, 974, 66, 12.3, 11.1, 527}}};
+constexpr std::array<Table2, 5> kTable2{{{"Trico", 15310, 4633, 139, 376, 12, 9.8, 8.1, 132},
+                                         {"Fandisk", 22491, 7144, 290, 471, 2, 8.3, 6.6, 414},
+                                         {"Ball", 430, 162, 3, 9, 0, 7.4, 4.9, 1},  // "<1" seconds
+                                         {"Spring", 24359, 7226, 326, 737, 4, 12.1, 10.2, 415},
+                                         {"Blob", 31526, 8769, 197, 974, 66, 12.3, 11.1, 527}}};
 
 // The entry whose size (the first number) is nearest, within a quarter more or less.
 template <class Rows, class Size>
@@ -82,8 +81,7 @@ double percent(Index part, Index whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-Json row_of(const std::string& model, const std::string& by, const Mesh& mesh,
-            const Wound& wound) {
+Json row_of(const std::string& model, const std::string& by, const Mesh& mesh, const Wound& wound) {
     const StripCounts& counts = wound.strip.counts;
     const Index cells = mesh.cell_count();
     Json row;
@@ -112,11 +110,18 @@ Json row_of(const std::string& model, const std::string& by, const Mesh& mesh,
 
 std::vector<std::string> table_columns(CellKind kind) {
     if (kind == CellKind::polygon)
-        return {"model",          "by",          "faces", "final_faces", "increase_percent",
+        return {"model",          "by",          "faces",  "final_faces", "increase_percent",
                 "nodal_vertices", "edge_splits", "seconds"};
-    return {"model",       "by",     "tets",          "vertices",
-            "nodal_edges", "cycles", "linear_strips", "tets_increase_percent",
-            "vertices_increase_percent", "seconds"};
+    return {"model",
+            "by",
+            "tets",
+            "vertices",
+            "nodal_edges",
+            "cycles",
+            "linear_strips",
+            "tets_increase_percent",
+            "vertices_increase_percent",
+            "seconds"};
 }
 
 Status add_table_rows(const std::string& model, const Mesh& mesh, Json& rows) {

@@ -9,7 +9,9 @@ bool quiet_flag = false;
 
 }  // namespace
 
-void set_quiet(bool quiet) { quiet_flag = quiet; }
+void set_quiet(bool quiet) {
+    quiet_flag = quiet;
+}
 
 void remark(std::string_view sentence) {
     if (!quiet_flag) fmt::print(stderr, "ravel: {}\n", sentence);

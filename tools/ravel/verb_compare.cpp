@@ -23,10 +23,18 @@ struct Options {
     EncodeFlags flags;
 };
 
-const std::vector<std::string> kTextColumns = {
-    "mesh",           "cells",          "cell_kind",      "codec",     "bytes",
-    "bits_per_cell",  "connectivity_bits_per_cell", "encode_seconds", "decode_seconds",
-    "max_error",      "connectivity_kept",          "note"};
+const std::vector<std::string> kTextColumns = {"mesh",
+                                               "cells",
+                                               "cell_kind",
+                                               "codec",
+                                               "bytes",
+                                               "bits_per_cell",
+                                               "connectivity_bits_per_cell",
+                                               "encode_seconds",
+                                               "decode_seconds",
+                                               "max_error",
+                                               "connectivity_kept",
+                                               "note"};
 
 Result<std::vector<std::string>> codecs_of(const std::string& list) {
     const std::vector<std::string> known = compare::known_codecs();
@@ -99,14 +107,17 @@ ExitCode run(const Options& options) {
 
 void add_compare(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("compare", "Ravel beside Draco, zstd and xz, every result checked");
+    CLI::App* verb =
+        app.add_subcommand("compare", "Ravel beside Draco, zstd and xz, every result checked");
     std::string codecs;
-    for (const std::string& name : compare::known_codecs()) codecs += (codecs.empty() ? "" : ",") + name;
+    for (const std::string& name : compare::known_codecs())
+        codecs += (codecs.empty() ? "" : ",") + name;
     verb->add_option("MESH", options->meshes, "Meshes")->required();
     verb->add_option("--codecs", options->codecs, "Which codecs, by commas: " + codecs)
         ->type_name("LIST");
-    verb->add_flag("--attributes", options->attributes,
-                   "Give ravel attributes, companions and names too (peers get cells and positions)");
+    verb->add_flag(
+        "--attributes", options->attributes,
+        "Give ravel attributes, companions and names too (peers get cells and positions)");
     auto* json = verb->add_flag("--json", options->json, "Rows as a JSON array");
     auto* csv = verb->add_flag("--csv", options->csv, "Rows as CSV");
     auto* markdown = verb->add_flag("--markdown", options->markdown, "A table in Markdown");
@@ -115,8 +126,10 @@ void add_compare(CLI::App& app, Action& action) {
     verb->add_option("--html", options->html, "A page with the table as well")->type_name("FILE");
     add_encode_flags(*verb, options->flags);
     verb->footer(
-        "Every codec gets the same cells and positions; what it gives back is decoded and checked.\n"
-        "connectivity_kept: quads (polygons of any degree) or tets came back as they were, triangulated\n"
+        "Every codec gets the same cells and positions; what it gives back is decoded and "
+        "checked.\n"
+        "connectivity_kept: quads (polygons of any degree) or tets came back as they were, "
+        "triangulated\n"
         "(as the fans of the polygons), or something was lost; the note says what.\n"
         "Draco's connectivity bytes are those of the same mesh with all positions zero.\n\n"
         "Example:\n"

@@ -73,13 +73,16 @@ void add_decode(CLI::App& app, Action& action) {
     std::string endings;
     for (const std::string& ending : io::known_endings()) endings += " " + ending;
     verb->add_option("FILE", options->file, "The .ravel file")->required();
-    verb->add_option("-o,--output", options->output, "The mesh; its ending tells the format")->required();
+    verb->add_option("-o,--output", options->output, "The mesh; its ending tells the format")
+        ->required();
     verb->add_flag("-f,--force", options->force, "Overwrite the output");
-    verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")->type_name("ENDING");
+    verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")
+        ->type_name("ENDING");
     verb->add_flag("--binary", options->binary, "The binary kind of formats that have both");
-    verb->add_flag("--strip", options->strip,
-                   "The subdivided mesh with its single strip: cells in strip order, with cell data "
-                   "strip_position and parent");
+    verb->add_flag(
+        "--strip", options->strip,
+        "The subdivided mesh with its single strip: cells in strip order, with cell data "
+        "strip_position and parent");
     verb->add_flag("--triangulate", options->triangles,
                    "Cut every polygon into the fan of triangles from its first corner");
     verb->add_option("--memory", options->memory_gib, "Refuse files that need more memory, in GiB")

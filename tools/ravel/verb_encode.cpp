@@ -28,12 +28,12 @@ ExitCode run(const Options& options) {
         return complain(options.output, status.error());
     const double cells = static_cast<double>(mesh->cell_count());
     const double bits = cells > 0 ? 8.0 * static_cast<double>(packed->bytes.size()) / cells : 0;
-    remark(fmt::format("{}: {} {}s on {} strip{}, {} bytes, {:.2f} bits per cell, positions {}",
-                       options.output, mesh->cell_count(), name_of(mesh->kind), packed->strip.strips,
-                       packed->strip.strips == 1 ? "" : "s", packed->bytes.size(), bits,
-                       packed->position_bound == 0
-                           ? std::string("exact")
-                           : fmt::format("within {:.3g}", packed->position_bound)));
+    remark(fmt::format(
+        "{}: {} {}s on {} strip{}, {} bytes, {:.2f} bits per cell, positions {}", options.output,
+        mesh->cell_count(), name_of(mesh->kind), packed->strip.strips,
+        packed->strip.strips == 1 ? "" : "s", packed->bytes.size(), bits,
+        packed->position_bound == 0 ? std::string("exact")
+                                    : fmt::format("within {:.3g}", packed->position_bound)));
     return ExitCode::done;
 }
 

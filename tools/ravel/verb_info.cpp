@@ -54,7 +54,8 @@ Json sections_of(const FileInfo& info) {
         sections.push_back(std::move(section));
     };
     add("header", info.header_bytes, nullptr);
-    for (const SectionInfo& section : info.sections) add(section.name, section.bytes, section.raw_bytes);
+    for (const SectionInfo& section : info.sections)
+        add(section.name, section.bytes, section.raw_bytes);
     return sections;
 }
 

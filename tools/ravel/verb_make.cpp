@@ -34,7 +34,8 @@ ExitCode run(const Options& options) {
     format.binary = options.binary;
     std::vector<std::string> left_out;
     // A made mesh can be made again, so it may be overwritten.
-    if (Status status = write_mesh_output(*mesh, options.output, options.to, format, true, &left_out);
+    if (Status status =
+            write_mesh_output(*mesh, options.output, options.to, format, true, &left_out);
         !status)
         return complain(options.output, status.error());
     remark_each(options.output, left_out);
@@ -47,17 +48,20 @@ ExitCode run(const Options& options) {
 
 void add_make(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("make", "Make a mesh from a recipe, the same on every machine");
+    CLI::App* verb =
+        app.add_subcommand("make", "Make a mesh from a recipe, the same on every machine");
     verb->add_option("RECIPE", options->recipe, "E.g. torus:quads=10000,seed=1");
     verb->add_option("-o,--output", options->output, "The mesh; its ending tells the format");
-    verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")->type_name("ENDING");
+    verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")
+        ->type_name("ENDING");
     verb->add_flag("--binary", options->binary, "The binary kind of formats that have both");
     verb->add_flag("--list", options->list, "All recipes");
-    verb->footer("Examples:\n"
-                 "  ravel make --list\n"
-                 "  ravel make torus:quads=10000,seed=1 -o torus.obj\n"
-                 "  ravel make tets:box=20x20x20,jitter=0.2,seed=7 -o box.vtk\n"
-                 "  ravel make soup:polygons=200,seed=3 -o soup.ply");
+    verb->footer(
+        "Examples:\n"
+        "  ravel make --list\n"
+        "  ravel make torus:quads=10000,seed=1 -o torus.obj\n"
+        "  ravel make tets:box=20x20x20,jitter=0.2,seed=7 -o box.vtk\n"
+        "  ravel make soup:polygons=200,seed=3 -o soup.ply");
     verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -63,10 +63,10 @@ Json facts_of(const Options& options, const Mesh& mesh, const Wound& wound,
     facts["open_strips"] = counts.open_strips;
     facts["added_cells"] = made.added_cells;
     facts["added_vertices"] = made.added_points;
-    facts["added_cells_percent"] =
-        mesh.cell_count() == 0
-            ? 0.0
-            : 100.0 * static_cast<double>(made.added_cells) / static_cast<double>(mesh.cell_count());
+    facts["added_cells_percent"] = mesh.cell_count() == 0
+                                       ? 0.0
+                                       : 100.0 * static_cast<double>(made.added_cells) /
+                                             static_cast<double>(mesh.cell_count());
     facts["objective"] = options.objective;
     Json& along = facts["along_strip"];
     along["steps"] = steps.steps;
@@ -155,8 +155,8 @@ ExitCode run(const Options& options) {
     };
     auto wound = wind(*mesh, winding);
     if (!wound) return broken(name, wound.error());
-    const Json facts = facts_of(options, *mesh, *wound,
-                                measure_steps(*mesh, wound->complex, wound->strip));
+    const Json facts =
+        facts_of(options, *mesh, *wound, measure_steps(*mesh, wound->complex, wound->strip));
     const StripCounts& counts = wound->strip.counts;
     if (options.method == "two-pass" && counts.paths + counts.singletons > 0)
         remark(fmt::format("two-pass finds no 2-factor: {} strip ends and {} single cells mended",
@@ -188,8 +188,9 @@ void add_strip(CLI::App& app, Action& action) {
     verb->add_option("--method", options->method, "How the 2-factor is found")
         ->check(CLI::IsMember(methods))
         ->capture_default_str();
-    verb->add_flag("--unmatched", options->unmatched,
-                   "Take the edges that two-pass or template leave out, as the paper does for tets");
+    verb->add_flag(
+        "--unmatched", options->unmatched,
+        "Take the edges that two-pass or template leave out, as the paper does for tets");
     verb->add_option("--objective", options->objective,
                      "What the strip looks for: turns as the decoder expects them, like normals, "
                      "steps along an axis")
@@ -197,21 +198,24 @@ void add_strip(CLI::App& app, Action& action) {
         ->capture_default_str();
     verb->add_flag("--tables", options->tables,
                    "Tables 1 and 2 of the paper beside ours, for one or more meshes");
-    verb->add_option("-o,--output", options->output,
-                     "The subdivided mesh, cells in strip order, with cell data strip_position and parent");
+    verb->add_option(
+        "-o,--output", options->output,
+        "The subdivided mesh, cells in strip order, with cell data strip_position and parent");
     verb->add_flag("-f,--force", options->force, "Overwrite the output");
     verb->add_flag("--json", options->json, "Facts as one JSON object");
     verb->add_option("--from", options->from, "Format of a mesh that comes by stdin")
         ->type_name("ENDING");
-    verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")->type_name("ENDING");
+    verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")
+        ->type_name("ENDING");
     verb->add_flag("--binary", options->binary, "The binary kind of formats that have both");
-    verb->footer("Every strip is checked before anything is printed: each cell once, neighbours share a\n"
-                 "facet, one strip per component.\n\n"
-                 "Examples:\n"
-                 "  ravel strip torus.obj\n"
-                 "  ravel strip bone.msh --json -o strip.vtk\n"
-                 "  ravel strip car.obj --objective axis=x\n"
-                 "  ravel strip --tables sphere_640.obj fandisk_22k.ele");
+    verb->footer(
+        "Every strip is checked before anything is printed: each cell once, neighbours share a\n"
+        "facet, one strip per component.\n\n"
+        "Examples:\n"
+        "  ravel strip torus.obj\n"
+        "  ravel strip bone.msh --json -o strip.vtk\n"
+        "  ravel strip car.obj --objective axis=x\n"
+        "  ravel strip --tables sphere_640.obj fandisk_22k.ele");
     verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

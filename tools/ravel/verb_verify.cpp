@@ -19,7 +19,9 @@ struct Options {
     EncodeFlags flags;
 };
 
-void print(const Json& facts, bool json) { fmt::print("{}", json ? json_of(facts) : text_of(facts)); }
+void print(const Json& facts, bool json) {
+    fmt::print("{}", json ? json_of(facts) : text_of(facts));
+}
 
 ExitCode verify_mesh(const Options& options) {
     auto mesh = read_mesh_input(options.input, options.from);
@@ -75,7 +77,8 @@ ExitCode verify_file(const Options& options) {
 }
 
 ExitCode run(const Options& options) {
-    const bool packed = is_ravel_name(options.input) || (options.input == "-" && options.from.empty());
+    const bool packed =
+        is_ravel_name(options.input) || (options.input == "-" && options.from.empty());
     return packed ? verify_file(options) : verify_mesh(options);
 }
 
@@ -83,18 +86,20 @@ ExitCode run(const Options& options) {
 
 void add_verify(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("verify", "Pack, unpack and compare a mesh, or check a file");
+    CLI::App* verb =
+        app.add_subcommand("verify", "Pack, unpack and compare a mesh, or check a file");
     verb->add_option("INPUT", options->input, "A mesh, or a .ravel file")->required();
     verb->add_flag("--json", options->json, "Facts as one JSON object");
     verb->add_option("--from", options->from, "Format of a mesh that comes by stdin")
         ->type_name("ENDING");
     add_encode_flags(*verb, options->flags);
-    verb->footer("A mesh is encoded with the options given, decoded and compared, in memory.\n"
-                 "A .ravel file is unpacked and its checksums are checked (stdin is taken for one).\n"
-                 "Exit code 0: equal, or the file is whole. 1: a difference. 4: a corrupt file.\n\n"
-                 "Examples:\n"
-                 "  ravel verify chair.obj --position-bits 14 --json\n"
-                 "  ravel verify chair.ravel");
+    verb->footer(
+        "A mesh is encoded with the options given, decoded and compared, in memory.\n"
+        "A .ravel file is unpacked and its checksums are checked (stdin is taken for one).\n"
+        "Exit code 0: equal, or the file is whole. 1: a difference. 4: a corrupt file.\n\n"
+        "Examples:\n"
+        "  ravel verify chair.obj --position-bits 14 --json\n"
+        "  ravel verify chair.ravel");
     verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

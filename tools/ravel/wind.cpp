@@ -18,8 +18,7 @@ Result<Wound> wind(const Mesh& mesh, const WindOptions& options) {
     if (options.weigh) weights = options.weigh(wound.complex);
     strip.weights = weights;
     wound.strip = build_strip(wound.complex, options.method, strip);
-    wound.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    wound.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (Status status = check_strip(wound.complex, wound.strip); !status)
         return Error{Code::corrupt, status.error().at, status.error().detail};
     auto made = materialise(mesh, wound.complex, wound.strip);

@@ -19,9 +19,12 @@ enum class Scalar : std::uint8_t { u8, i8, u16, i16, u32, i32, u64, i64, f32, f6
 
 std::size_t size_of(Scalar scalar);
 const char* name_of(Scalar scalar);
-inline bool is_float(Scalar s) { return s == Scalar::f32 || s == Scalar::f64; }
+inline bool is_float(Scalar s) {
+    return s == Scalar::f32 || s == Scalar::f64;
+}
 
-// `count()` tuples of `arity` scalars, little-endian in memory, bit patterns kept (NaN payloads, -0).
+// `count()` tuples of `arity` scalars, little-endian in memory, bit patterns kept (NaN payloads,
+// -0).
 struct Array {
     Scalar scalar = Scalar::f64;
     std::uint32_t arity = 1;  // 1..65535
@@ -45,9 +48,9 @@ Array make_array(Scalar scalar, std::uint32_t arity, std::size_t count);
 enum class Place : std::uint8_t { point, corner, cell, companion, mesh };
 const char* name_of(Place place);
 
-// Component `component` of every tuple is a number of a point or cell, counted from `base`; numbers that
-// name none (0 or -1 for "no neighbour") are allowed and kept. The numbers follow their elements
-// when a file changes the order.
+// Component `component` of every tuple is a number of a point or cell, counted from `base`; numbers
+// that name none (0 or -1 for "no neighbour") are allowed and kept. The numbers follow their
+// elements when a file changes the order.
 struct Reference {
     std::uint32_t component = 0;
     Place place = Place::point;  // point or cell
@@ -56,8 +59,9 @@ struct Reference {
 
 // Named values on points, cell corners, cells, companion cells (all blocks one after the other) or
 // the mesh as a whole (any number of tuples).
-// With `index` empty there is one tuple per element. Otherwise element i has tuple index[i], or none
-// where index[i] == kNoIndex; `values` is then a pool (OBJ's vt and vn are such pools on corners).
+// With `index` empty there is one tuple per element. Otherwise element i has tuple index[i], or
+// none where index[i] == kNoIndex; `values` is then a pool (OBJ's vt and vn are such pools on
+// corners).
 struct Attribute {
     std::string name;
     Place place = Place::point;
@@ -73,7 +77,7 @@ struct CompanionBlock {
     std::uint16_t vtk_type = 0;        // VTK's cell type number; nodes are in VTK's order
     std::uint32_t nodes_per_cell = 0;  // may be 0
     Index cell_count = 0;
-    std::vector<Index> nodes;          // cell_count * nodes_per_cell points
+    std::vector<Index> nodes;  // cell_count * nodes_per_cell points
     // Edge nodes of quadratic tets are a companion of vtk_type 24 with the six edge nodes only (VTK
     // order); then `hosts` names the tet (cell) each belongs to. Empty for all other companions.
     std::vector<Index> hosts;
@@ -81,8 +85,8 @@ struct CompanionBlock {
 
 // The name of a value of an integer attribute: Gmsh's physical names, OBJ's groups and materials.
 struct TagName {
-    std::string attribute;         // the attribute whose values are named
-    std::int32_t dimension = -1;   // 0..3 where names are per dimension (Gmsh), -1 otherwise
+    std::string attribute;        // the attribute whose values are named
+    std::int32_t dimension = -1;  // 0..3 where names are per dimension (Gmsh), -1 otherwise
     std::int64_t value = 0;
     std::string name;
 };
@@ -103,8 +107,9 @@ const char* name_of(CellKind kind);  // "polygon", "tet"
 struct Mesh {
     CellKind kind = CellKind::polygon;
     Array positions{Scalar::f32, 3, {}};
-    std::vector<Index> corner_begin;  // polygons: cell c has corners [corner_begin[c], corner_begin[c+1])
-    std::vector<Index> corners;       // points; polygons counter-clockwise, tets in VTK's order
+    std::vector<Index>
+        corner_begin;  // polygons: cell c has corners [corner_begin[c], corner_begin[c+1])
+    std::vector<Index> corners;  // points; polygons counter-clockwise, tets in VTK's order
     std::vector<CompanionBlock> companions;
     std::vector<Attribute> attributes;
     std::vector<TagName> tag_names;
@@ -129,7 +134,8 @@ struct Mesh {
 // How many elements a place has; 0 for the mesh as a whole.
 Index element_count(const Mesh& mesh, Place place);
 
-// Are the invariants above true? The error names the first cell, companion or attribute that breaks one.
+// Are the invariants above true? The error names the first cell, companion or attribute that breaks
+// one.
 Status check_mesh(const Mesh& mesh);
 
 }  // namespace ravel

@@ -5,9 +5,9 @@
 //     if (!packed) return complain(packed.error());
 //     auto again = ravel::decode(packed->bytes);                // safe on any bytes
 //
-// What a file keeps: every point, cell, companion, attribute and name; positions exactly or within a
-// stated bound. What it does not keep unless asked (`keep_order`): the order of points and cells, the
-// corner a polygon starts with, and which even permutation a tet is written in.
+// What a file keeps: every point, cell, companion, attribute and name; positions exactly or within
+// a stated bound. What it does not keep unless asked (`keep_order`): the order of points and cells,
+// the corner a polygon starts with, and which even permutation a tet is written in.
 #pragma once
 
 #include <array>
@@ -27,61 +27,63 @@ enum class FactorMethod : std::uint8_t { steered, euler, two_pass, template_subs
 
 struct EncodeOptions {
     // Positions: exact unless one of these is given. They exclude each other.
-    std::optional<int> position_bits;   // 1..30 bits along the longest side of the bounding box
-    std::optional<double> max_error;    // > 0, largest absolute error of any coordinate
-    bool float32 = false;               // round float64 positions to float32 first
-    bool keep_order = false;            // restore point and cell order, start corners, tet permutations
+    std::optional<int> position_bits;  // 1..30 bits along the longest side of the bounding box
+    std::optional<double> max_error;   // > 0, largest absolute error of any coordinate
+    bool float32 = false;              // round float64 positions to float32 first
+    bool keep_order = false;  // restore point and cell order, start corners, tet permutations
     FactorMethod method = FactorMethod::steered;
-    // Percent of cells that links may add where they save bytes; 2.5 for polygons, 12 for tets if not given.
-    // 0 takes the strip that splits fewest cells.
+    // Percent of cells that links may add where they save bytes; 2.5 for polygons, 12 for tets if
+    // not given. 0 takes the strip that splits fewest cells.
     std::optional<double> strip_budget;
-    int level = 19;                     // zstd's level, 1..22
+    int level = 19;  // zstd's level, 1..22
 };
 
 // Where the elements of the mesh given to `encode` are in the mesh that `decode` returns.
-struct OrderMaps {  // kTetTurns: the 24 permutations of 0 1 2 3 in lexicographic order
-    std::vector<Index> point;         // old point -> new point
-    std::vector<Index> cell;          // old cell -> new cell
-    std::vector<std::uint32_t> turn;  // old cell -> which of its corners the new cell starts with (polygons),
-                                      // or the number of the permutation in kTetTurns (tets)
+struct OrderMaps {             // kTetTurns: the 24 permutations of 0 1 2 3 in lexicographic order
+    std::vector<Index> point;  // old point -> new point
+    std::vector<Index> cell;   // old cell -> new cell
+    std::vector<std::uint32_t>
+        turn;  // old cell -> which of its corners the new cell starts with (polygons),
+               // or the number of the permutation in kTetTurns (tets)
 };
 
 struct StripCounts {
-    Index components = 0;    // facet-connected
-    Index cycles = 0;        // of the 2-factor, before merging
-    Index paths = 0;         // of the 2-factor with two cells or more
-    Index singletons = 0;    // of the 2-factor
+    Index components = 0;  // facet-connected
+    Index cycles = 0;      // of the 2-factor, before merging
+    Index paths = 0;       // of the 2-factor with two cells or more
+    Index singletons = 0;  // of the 2-factor
     Index fan_merges = 0;
     Index links = 0;
-    Index strips = 0;        // always == components
-    Index open_strips = 0;   // of those, the ones that do not close
+    Index strips = 0;       // always == components
+    Index open_strips = 0;  // of those, the ones that do not close
 };
 
 struct Encoded {
     std::vector<std::byte> bytes;
     OrderMaps order;
     StripCounts strip;
-    double position_bound = 0;   // 0 for exact positions
-    double position_error = 0;   // largest error, measured with the decoder's arithmetic
+    double position_bound = 0;  // 0 for exact positions
+    double position_error = 0;  // largest error, measured with the decoder's arithmetic
 };
 
-// Packs a mesh. Fails on broken options or a Mesh that breaks its invariants, never on dirty geometry
-// or topology. Linear in the mesh but for sorting; the same bytes on every machine with one libzstd.
+// Packs a mesh. Fails on broken options or a Mesh that breaks its invariants, never on dirty
+// geometry or topology. Linear in the mesh but for sorting; the same bytes on every machine with
+// one libzstd.
 Result<Encoded> encode(const Mesh& mesh, const EncodeOptions& options = {});
 
 struct DecodeOptions {
     std::uint64_t memory_limit = std::uint64_t{16} << 30;  // bytes the decoder may allocate in all
 };
 
-// How the strip runs over the decoded mesh, in the order of the strip's first visits (which is the order
-// of the cells, unless the file keeps another).
-// Facet f of a polygon is its side from corner f to f+1; facet f of a tet lies opposite corner f.
+// How the strip runs over the decoded mesh, in the order of the strip's first visits (which is the
+// order of the cells, unless the file keeps another). Facet f of a polygon is its side from corner
+// f to f+1; facet f of a tet lies opposite corner f.
 struct StripStep {
-    Index cell = 0;               // of the decoded mesh
-    Index from = kNoIndex;        // the cell the strip came from; kNoIndex at the start of a component
-    std::uint32_t exit = 0;       // facet of `from`
-    std::uint32_t entry = 0;      // facet of this cell
-    bool link = false;            // the step splits both cells once the strip is materialised
+    Index cell = 0;           // of the decoded mesh
+    Index from = kNoIndex;    // the cell the strip came from; kNoIndex at the start of a component
+    std::uint32_t exit = 0;   // facet of `from`
+    std::uint32_t entry = 0;  // facet of this cell
+    bool link = false;        // the step splits both cells once the strip is materialised
 };
 
 struct Decoded {
@@ -93,9 +95,9 @@ struct Decoded {
 Result<Decoded> decode(std::span<const std::byte> bytes, const DecodeOptions& options = {});
 
 struct SectionInfo {
-    std::string name;              // e.g. "connectivity", "positions"
-    std::uint64_t bytes = 0;       // as stored
-    std::uint64_t raw_bytes = 0;   // unpacked
+    std::string name;             // e.g. "connectivity", "positions"
+    std::uint64_t bytes = 0;      // as stored
+    std::uint64_t raw_bytes = 0;  // unpacked
 };
 
 struct FileInfo {
@@ -105,10 +107,10 @@ struct FileInfo {
     Scalar position_scalar = Scalar::f32;
     bool lossless_positions = true;
     bool keeps_order = false;
-    int position_bits = 0;         // of the grid's longest side; 0 for lossless
+    int position_bits = 0;  // of the grid's longest side; 0 for lossless
     double grid_step = 0;
     double position_bound = 0;
-    double position_error = 0;     // as measured by the encoder
+    double position_error = 0;  // as measured by the encoder
     std::uint64_t file_bytes = 0;
     std::uint64_t header_bytes = 0;
     std::vector<SectionInfo> sections;
@@ -124,17 +126,18 @@ struct FileInfo {
 // Reads headers only; packed data is neither unpacked nor checked against its checksums.
 Result<FileInfo> inspect(std::span<const std::byte> bytes);
 
-// Is `decoded` what `original` became? Connectivity, order maps, attributes and names exactly; finite
-// positions within `bound` (0: bit for bit), others bit for bit. Linear.
+// Is `decoded` what `original` became? Connectivity, order maps, attributes and names exactly;
+// finite positions within `bound` (0: bit for bit), others bit for bit. Linear.
 struct Comparison {
     bool equal = false;
     bool connectivity_equal = false;
     bool attributes_equal = false;
     bool positions_equal = false;
-    bool order_kept = false;        // points and cells come in the original order
+    bool order_kept = false;  // points and cells come in the original order
     double max_error = 0;
-    std::string difference;         // the first difference in words, empty when equal
+    std::string difference;  // the first difference in words, empty when equal
 };
-Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order, double bound);
+Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order,
+                          double bound);
 
 }  // namespace ravel

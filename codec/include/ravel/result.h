@@ -28,8 +28,9 @@ const char* name_of(Code code);
 
 struct Error {
     Code code = Code::corrupt;
-    std::uint64_t at = 0;  // byte offset for bytes, cell or attribute index for meshes, line for text
-    std::string detail;    // one sentence, no trailing newline
+    std::uint64_t at =
+        0;               // byte offset for bytes, cell or attribute index for meshes, line for text
+    std::string detail;  // one sentence, no trailing newline
 };
 
 template <class T>
