@@ -23,7 +23,7 @@ Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std:
 }
 
 Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& budget) {
-    if (bytes.size() < kMagic.size() + 1 ||
+    if (bytes.size() < kMagic.size() ||
         !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
         return Error{Code::not_a_ravel_file, 0,
                      "this is not a ravel file (its first bytes are not \"Rav1\")"};

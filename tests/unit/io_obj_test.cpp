@@ -157,3 +157,9 @@ TEST_CASE("OBJ refuses tets and reports what has no place", "[io][obj]") {
     CHECK(io::write_mesh(mesh, folder / "a.obj", {}, &left_out).ok());
     CHECK(left_out.size() == 2);
 }
+
+TEST_CASE("an OBJ with a byte order mark keeps its first vertex") {
+    const auto mesh = read_bytes("bom.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    REQUIRE(mesh.ok());
+    CHECK(mesh->point_count() == 3);
+}

@@ -262,7 +262,12 @@ Status ObjReader::statement(std::string_view keyword) {
             unknown_line_ = in_.line();
             unknown_word_ = keyword.substr(0, 40);
         }
-        in_.next_line();
+        // Kept as words, so that nothing goes silently; a writer says that it has no place for
+        // them.
+        std::string words(keyword);
+        words += ' ';
+        words += in_.rest_of_line();
+        mesh_.notes.push_back({"obj:statement", std::move(words)});
         return Done{};
     }
     known_statement_ = true;

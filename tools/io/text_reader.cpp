@@ -76,6 +76,7 @@ TextReader::TextReader(std::string_view text, std::string file, TextRules rules)
       last_(begin_),
       file_(std::move(file)),
       rules_(rules) {
+    if (text.starts_with("\xEF\xBB\xBF")) at_ = last_ = begin_ + 3;  // a byte order mark
     // Some programs of old end lines with a carriage return alone.
     if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos)
         line_end_ = '\r';

@@ -2,10 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace ravel::tool {
 namespace {
 
 constexpr int kFastLevel = 3;
+
+// CLI11's own ranges let NaN pass and print hundreds of digits.
+CLI::Validator between(double least, double most, const char* words) {
+    return {[=](std::string& text) {
+                double value = 0;
+                const char* const end = text.data() + text.size();
+                const auto [stop, problem] = std::from_chars(text.data(), end, value);
+                const bool good =
+                    problem == std::errc() && stop == end && value >= least && value <= most;
+                return good ? std::string() : fmt::format("'{}' is not {}", text, words);
+            },
+            ""};
+}
+CLI::Validator positive_number() {
+    return between(1e-300, 1e299, "a number above 0");
+}
+CLI::Validator percentage() {
+    return between(0, 1000, "a percentage from 0 to 1000");
+}
 
 }  // namespace
 
@@ -17,7 +38,7 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                      ->group("Positions");
     auto* error = verb.add_option("--max-error", flags.max_error,
                                   "Positions on a grid; no coordinate moves by more than E")
-                      ->check(CLI::PositiveNumber)
+                      ->check(positive_number())
                       ->type_name("E")
                       ->group("Positions");
     auto* lossless =
@@ -35,7 +56,7 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
     verb.add_option("--strip-budget", flags.strip_budget,
                     "Cells that drawing the strip may add where that saves bytes, in percent "
                     "(2.5 for polygons, 12 for tets if not given)")
-        ->check(CLI::Range(0.0, 1000.0))
+        ->check(percentage())
         ->type_name("PERCENT")
         ->group("Connectivity");
     auto* level = verb.add_option("--level", flags.level, "zstd's level, 1 to 22 (19 if not given)")

@@ -1,5 +1,8 @@
 // ravel VERB [options] INPUT [-o OUTPUT]
+#include <cstdio>
 #include <exception>
+#include <iostream>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -49,17 +52,26 @@ int run(int argc, char** argv) {
     return static_cast<int>(action());
 }
 
+// Results that could not be written are no success, whatever the verb says.
+int after_flush(int code) {
+    std::cout.flush();
+    const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+    if (!lost) return code;
+    ravel::tool::say("standard output can't be written");
+    return code == 0 ? static_cast<int>(ravel::tool::ExitCode::unreadable) : code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        return after_flush(run(argc, argv));
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "ravel: out of memory\n");
+        ravel::tool::say("out of memory");
     } catch (const std::exception& error) {
-        fmt::print(stderr, "ravel: this is a bug, please report it: {}\n", error.what());
+        ravel::tool::say(std::string("this is a bug, please report it: ") + error.what());
     } catch (...) {
-        fmt::print(stderr, "ravel: this is a bug, please report it\n");
+        ravel::tool::say("this is a bug, please report it");
     }
     return static_cast<int>(ravel::tool::ExitCode::bug);
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
+
 namespace ravel::tool {
 namespace {
 
@@ -13,8 +15,13 @@ void set_quiet(bool quiet) {
     quiet_flag = quiet;
 }
 
+void say(std::string_view sentence) {
+    // Not by fmt::print, which throws where stderr can't be written.
+    std::fputs(fmt::format("ravel: {}\n", sentence).c_str(), stderr);
+}
+
 void remark(std::string_view sentence) {
-    if (!quiet_flag) fmt::print(stderr, "ravel: {}\n", sentence);
+    if (!quiet_flag) say(sentence);
 }
 
 void remark_each(std::string_view file, const std::vector<std::string>& sentences) {
@@ -28,8 +35,8 @@ ExitCode complain(std::string_view file, const Error& error) {
     const ExitCode code = exit_code_of(error.code);
     if (code == ExitCode::corrupt && error.code != Code::limit_exceeded)
         place = fmt::format(" ({}, byte {})", name_of(error.code), error.at);
-    fmt::print(stderr, "ravel: {}{}{}{}\n", names_file ? "" : file, names_file ? "" : ": ",
-               error.detail, place);
+    say(fmt::format("{}{}{}{}", names_file ? "" : file, names_file ? "" : ": ", error.detail,
+                    place));
     return code;
 }
 

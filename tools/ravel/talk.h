@@ -10,6 +10,8 @@
 
 namespace ravel::tool {
 
+// "ravel: SENTENCE" on stderr, whether it can be written or not.
+void say(std::string_view sentence);
 // Remarks are silenced by --quiet; complaints are not.
 void set_quiet(bool quiet);
 void remark(std::string_view sentence);

@@ -1,6 +1,8 @@
 // ravel encode MESH -o FILE.ravel
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "io/mesh_io.h"
 #include "ravel/encode_options.h"
 #include "ravel/input_file.h"
@@ -20,6 +22,9 @@ struct Options {
 ExitCode run(const Options& options) {
     if (Status status = may_write(options.output, options.force); !status)
         return complain("", status.error());
+    std::error_code ignored;
+    if (options.mesh != "-" && std::filesystem::equivalent(options.mesh, options.output, ignored))
+        return complain("", {Code::bad_option, 0, options.output + " is the mesh itself"});
     auto mesh = read_mesh_input(options.mesh, options.from);
     if (!mesh) return complain(options.mesh, mesh.error());
     auto packed = encode(*mesh, options_of(options.flags));

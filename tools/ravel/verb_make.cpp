@@ -25,7 +25,7 @@ ExitCode list() {
 ExitCode run(const Options& options) {
     if (options.list) return list();
     if (options.recipe.empty() || options.output.empty()) {
-        fmt::print(stderr, "ravel: make needs a RECIPE and -o MESH, or --list\n");
+        say("make needs a RECIPE and -o MESH, or --list");
         return ExitCode::usage;
     }
     auto mesh = make::make_mesh(options.recipe);

@@ -117,7 +117,7 @@ ExitCode print_tables(const Options& options) {
 }
 
 ExitCode misuse(const std::string& sentence) {
-    fmt::print(stderr, "ravel: {}\n", sentence);
+    say(sentence);
     return ExitCode::usage;
 }
 
