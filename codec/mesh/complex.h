@@ -43,7 +43,8 @@ struct Complex {
 
 // A flipped polygon keeps its first corner and lists the others backwards; a flipped tet swaps its
 // last two corners. Within a component the orientation that flips fewer cells is taken.
-// Near-linear. Fails with limit_exceeded where the mesh has 2^32 - 2 corners or more.
+// Near-linear. Fails with limit_exceeded where points and corners together reach 2^32 - 2, or tets
+// 357913941: more than a block counts in 32 bits.
 Result<Complex> build_complex(const Mesh& mesh);
 
 }  // namespace ravel
