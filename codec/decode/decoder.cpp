@@ -2,6 +2,8 @@
 // anything is allocated for it; the walk itself checks every code.
 #include "decode/decoder.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <string>
 
@@ -216,7 +218,8 @@ Status charge_indices(const FileSections& file, const Mesh& mesh, std::uint64_t&
 }  // namespace
 
 Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options) {
-    std::uint64_t budget = options.memory_limit;
+    // Where sizes have 32 bits, no array holds more than half of what they count.
+    std::uint64_t budget = std::min<std::uint64_t>(options.memory_limit, PTRDIFF_MAX);
     Result<FileSections> opened = open_file(bytes, budget);
     if (!opened) return opened.error();
     const FileSections& file = *opened;
