@@ -21,11 +21,11 @@ inline ExitCode exit_code_of(Code code) {
         case Code::truncated:
         case Code::checksum_mismatch:
         case Code::corrupt:
-        case Code::limit_exceeded:
             return ExitCode::corrupt;
         case Code::bad_option:
             return ExitCode::usage;
         case Code::bad_mesh:
+        case Code::limit_exceeded:
         case Code::unreadable:
         case Code::unwritable:
             return ExitCode::unreadable;

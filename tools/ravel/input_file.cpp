@@ -8,9 +8,17 @@
 
 #include "io/mesh_io.h"
 #include "ravel/output_file.h"
+#include "ravel/talk.h"
 
 namespace ravel::tool {
 namespace {
+
+// An empty file is an empty mesh in most formats; that is seldom what somebody meant.
+Result<Mesh> with_remark(const std::string& name, Result<Mesh> mesh) {
+    if (mesh && mesh->point_count() == 0 && mesh->cell_count() == 0)
+        remark(name + " holds no points and no cells");
+    return mesh;
+}
 
 Error unreadable(std::string detail) {
     return {Code::unreadable, 0, std::move(detail)};
@@ -44,7 +52,7 @@ Result<std::vector<std::byte>> read_bytes(const std::string& path) {
 }
 
 Result<Mesh> read_mesh_input(const std::string& path, const std::string& ending) {
-    if (path != "-") return io::read_mesh(path);
+    if (path != "-") return with_remark(path, io::read_mesh(path));
     if (ending.empty())
         return Error{Code::bad_option, 0, "a mesh from stdin needs --from ENDING, e.g. --from obj"};
     auto bytes = read_bytes(path);
@@ -54,7 +62,7 @@ Result<Mesh> read_mesh_input(const std::string& path, const std::string& ending)
     if (!folder) return folder.error();
     const std::string copy = (folder->path() / ("stdin." + ending)).string();
     if (Status status = write_file(copy, *bytes); !status) return status.error();
-    return io::read_mesh(copy);
+    return with_remark("stdin", io::read_mesh(copy));
 }
 
 bool is_ravel_name(const std::string& path) {

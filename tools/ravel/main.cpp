@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "ravel/interrupt.h"
 #include "ravel/talk.h"
 #include "ravel/verbs.h"
 
@@ -64,10 +65,12 @@ int after_flush(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    ravel::tool::watch_signals();
     try {
         return after_flush(run(argc, argv));
     } catch (const std::bad_alloc&) {
         ravel::tool::say("out of memory");
+        return static_cast<int>(ravel::tool::ExitCode::unreadable);
     } catch (const std::exception& error) {
         ravel::tool::say(std::string("this is a bug, please report it: ") + error.what());
     } catch (...) {

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "ravel/input_file.h"
+#include "ravel/interrupt.h"
 
 namespace ravel::tool {
 namespace {
@@ -60,25 +61,28 @@ Status publish(const TemporaryFolder& folder, const fs::path& target_folder, boo
             return status;
         if (Status status = sync_path(file); !status) return status;
     }
-    for (const fs::path& file : files) {
-        const fs::path target = target_folder / file.filename();
-        if (std::rename(file.c_str(), target.c_str()) != 0) return unwritable(target.string());
-    }
+    // All of them or, where a signal comes first, none.
+    Status renamed = without_interruption([&]() -> Status {
+        for (const fs::path& file : files) {
+            const fs::path target = target_folder / file.filename();
+            if (std::rename(file.c_str(), target.c_str()) != 0) return unwritable(target.string());
+        }
+        return Done{};
+    });
+    if (!renamed) return renamed;
     return sync_path(target_folder);
 }
 
 }  // namespace
 
 Result<TemporaryFolder> TemporaryFolder::make(const fs::path& parent) {
-    std::string name = (parent / ".ravel-XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-        return Error{Code::unwritable, 0, parent.string() + ": " + std::strerror(errno)};
-    return TemporaryFolder(fs::path(name));
+    auto folder = make_leftover(parent);
+    if (!folder) return folder.error();
+    return TemporaryFolder(std::move(*folder));
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
+    if (!path_.empty()) remove_leftover(path_);
 }
 
 Status may_write(const std::string& path, bool force) {

@@ -13,7 +13,7 @@
 
 namespace ravel::tool {
 
-// Removed with everything in it when the object goes.
+// Removed with everything in it when the object goes, or a signal ends the program.
 class TemporaryFolder {
   public:
     static Result<TemporaryFolder> make(const std::filesystem::path& parent);

@@ -14,6 +14,9 @@ namespace ravel::tool {
 void say(std::string_view sentence);
 // Remarks are silenced by --quiet; complaints are not.
 void set_quiet(bool quiet);
+bool is_quiet();
+// A line without an end stands on stderr: whoever speaks next wipes it.
+void set_line_shown(bool shown);
 void remark(std::string_view sentence);
 void remark_each(std::string_view file, const std::vector<std::string>& sentences);
 

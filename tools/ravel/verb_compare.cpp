@@ -1,6 +1,8 @@
 // ravel compare MESH...: ravel beside Draco and general compressors, every result checked.
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include "ravel/encode_options.h"
 #include "ravel/input_file.h"
 #include "ravel/output_file.h"
+#include "ravel/progress.h"
 #include "ravel/talk.h"
 #include "ravel/verbs.h"
 
@@ -52,6 +55,23 @@ Result<std::vector<std::string>> codecs_of(const std::string& list) {
     return chosen;
 }
 
+// Rows tell meshes by their stem, or by their path where another mesh has the same stem. A path
+// that comes twice counts once.
+std::vector<std::pair<std::string, std::string>> names_and_paths(std::vector<std::string> paths) {
+    std::vector<std::pair<std::string, std::string>> meshes;
+    std::map<std::string, int> stems;
+    const auto stem_of = [](const std::string& path) {
+        return std::filesystem::path(path).stem().string();
+    };
+    std::set<std::string> known;
+    for (std::string& path : paths)
+        if (known.insert(path).second) meshes.emplace_back(stem_of(path), std::move(path));
+    for (const auto& [stem, path] : meshes) ++stems[stem];
+    for (auto& [name, path] : meshes)
+        if (stems[name] > 1) name = path;
+    return meshes;
+}
+
 ExitCode print(const Options& options, const std::vector<compare::Row>& rows) {
     const Json facts = json_rows(rows);
     const std::string summary = summary_of(rows);
@@ -83,14 +103,15 @@ ExitCode run(const Options& options) {
     const std::string settings = words_for(request.options);
     std::vector<compare::Row> rows;
     ExitCode worst = ExitCode::done;
-    for (const std::string& path : options.meshes) {
+    const auto meshes = names_and_paths(options.meshes);
+    for (const auto& [name, path] : meshes) {
+        Progress progress(path, "comparing");
         auto mesh = read_mesh_input(path, "");
         if (!mesh) {
             worst = complain(path, mesh.error());
             continue;
         }
-        if (options.meshes.size() > 1) remark(path);
-        const std::string name = std::filesystem::path(path).stem().string();
+        if (meshes.size() > 1) remark(path);
         for (compare::Row& row : compare::compare_mesh(name, std::move(*mesh), request, settings)) {
             if (row.codec == "ravel" && !row.note.empty()) {
                 remark(fmt::format("{}: {}", path, row.note));

@@ -4,6 +4,7 @@
 #include "io/mesh_io.h"
 #include "ravel/input_file.h"
 #include "ravel/output_file.h"
+#include "ravel/progress.h"
 #include "ravel/ravel.h"
 #include "ravel/strip_of_steps.h"
 #include "ravel/strip_output.h"
@@ -33,18 +34,28 @@ Result<Mesh> strip_mesh_of(const Decoded& decoded) {
     return mesh_of_strip(decoded.mesh, *complex, *strip);
 }
 
+ExitCode complain_of_limit(const Options& options, Error error) {
+    if (error.code == Code::limit_exceeded)
+        error.detail += fmt::format("; --memory {} (GiB) refuses it, a larger number may not",
+                                    options.memory_gib);
+    return complain(options.file, error);
+}
+
 ExitCode run(const Options& options) {
     if (Status status = may_write(options.output, options.force); !status)
         return complain("", status.error());
+    Progress progress(options.file, "reading");
     auto bytes = read_bytes(options.file);
     if (!bytes) return complain(options.file, bytes.error());
     DecodeOptions limits;
     limits.memory_limit = static_cast<std::uint64_t>(options.memory_gib * 1073741824.0);
+    progress.now("unpacking");
     auto decoded = decode(*bytes, limits);
-    if (!decoded) return complain(options.file, decoded.error());
+    if (!decoded) return complain_of_limit(options, decoded.error());
     *bytes = {};
     Mesh mesh;
     if (options.strip) {
+        progress.now("splitting cells");
         auto subdivided = strip_mesh_of(*decoded);
         if (!subdivided) return complain(options.file, subdivided.error());
         mesh = std::move(*subdivided);
@@ -52,6 +63,7 @@ ExitCode run(const Options& options) {
         mesh = std::move(decoded->mesh);
     }
     if (options.triangles) mesh = triangulate(mesh);
+    progress.now(fmt::format("writing {} {}s", mesh.cell_count(), name_of(mesh.kind)));
     io::WriteOptions format;
     format.binary = options.binary;
     std::vector<std::string> left_out;

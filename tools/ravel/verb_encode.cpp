@@ -7,6 +7,7 @@
 #include "ravel/encode_options.h"
 #include "ravel/input_file.h"
 #include "ravel/output_file.h"
+#include "ravel/progress.h"
 #include "ravel/talk.h"
 #include "ravel/verbs.h"
 
@@ -25,10 +26,13 @@ ExitCode run(const Options& options) {
     std::error_code ignored;
     if (options.mesh != "-" && std::filesystem::equivalent(options.mesh, options.output, ignored))
         return complain("", {Code::bad_option, 0, options.output + " is the mesh itself"});
+    Progress progress(options.mesh, "reading");
     auto mesh = read_mesh_input(options.mesh, options.from);
     if (!mesh) return complain(options.mesh, mesh.error());
+    progress.now(fmt::format("packing {} {}s", mesh->cell_count(), name_of(mesh->kind)));
     auto packed = encode(*mesh, options_of(options.flags));
     if (!packed) return complain_of_mesh(options.mesh, packed.error());
+    progress.now("writing");
     if (Status status = write_bytes_output(options.output, packed->bytes, options.force); !status)
         return complain(options.output, status.error());
     const double cells = static_cast<double>(mesh->cell_count());

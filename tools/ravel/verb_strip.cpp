@@ -1,5 +1,6 @@
 // ravel strip MESH: the single strip of every component, proven, and written as a mesh if asked.
 // With --tables: the paper's tables beside ours for many meshes.
+#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "ravel/input_file.h"
 #include "ravel/objective.h"
 #include "ravel/output_file.h"
+#include "ravel/progress.h"
 #include "ravel/report.h"
 #include "ravel/strip_output.h"
 #include "ravel/strip_tables.h"
@@ -141,12 +143,14 @@ ExitCode run(const Options& options) {
         if (Status status = may_write(options.output, options.force); !status)
             return complain("", status.error());
     const std::string& name = options.meshes.front();
+    Progress progress(name, "reading");
     auto mesh = read_mesh_input(name, options.from);
     if (!mesh) return complain(name, mesh.error());
     const Objective objective = *objective_of(options.objective);
     if (objective == Objective::normals && mesh->kind == CellKind::tet)
         return misuse("tets have no normals: take --objective turns or an axis");
 
+    progress.now(fmt::format("winding {} {}s", mesh->cell_count(), name_of(mesh->kind)));
     WindOptions winding;
     winding.method = method_of(options.method);
     winding.strip.reading = options.unmatched ? Reading::unmatched : Reading::matched;
@@ -162,6 +166,7 @@ ExitCode run(const Options& options) {
         remark(fmt::format("two-pass finds no 2-factor: {} strip ends and {} single cells mended",
                            2 * counts.paths, counts.singletons));
     if (!options.output.empty()) {
+        progress.now("writing");
         io::WriteOptions format;
         format.binary = options.binary;
         std::vector<std::string> left_out;
@@ -172,8 +177,11 @@ ExitCode run(const Options& options) {
             return complain(options.output, status.error());
         remark_each(options.output, left_out);
     }
-    // Where the mesh itself goes to stdout, the facts would spoil it.
-    if (options.output != "-") fmt::print("{}", options.json ? json_of(facts) : text_of(facts));
+    // Where the mesh itself goes to stdout the facts would spoil it; those asked for go to stderr.
+    if (options.output != "-")
+        fmt::print("{}", options.json ? json_of(facts) : text_of(facts));
+    else if (options.json)
+        std::fputs(json_of(facts).c_str(), stderr);
     return ExitCode::done;
 }
 
@@ -202,7 +210,8 @@ void add_strip(CLI::App& app, Action& action) {
         "-o,--output", options->output,
         "The subdivided mesh, cells in strip order, with cell data strip_position and parent");
     verb->add_flag("-f,--force", options->force, "Overwrite the output");
-    verb->add_flag("--json", options->json, "Facts as one JSON object");
+    verb->add_flag("--json", options->json,
+                   "Facts as one JSON object (on stderr where the mesh goes to stdout)");
     verb->add_option("--from", options->from, "Format of a mesh that comes by stdin")
         ->type_name("ENDING");
     verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")

@@ -6,6 +6,7 @@
 #include "compare/round.h"
 #include "ravel/encode_options.h"
 #include "ravel/input_file.h"
+#include "ravel/progress.h"
 #include "ravel/report.h"
 #include "ravel/talk.h"
 #include "ravel/verbs.h"
@@ -24,16 +25,20 @@ void print(const Json& facts, bool json) {
 }
 
 ExitCode verify_mesh(const Options& options) {
+    Progress progress(options.input, "reading");
     auto mesh = read_mesh_input(options.input, options.from);
     if (!mesh) return complain(options.input, mesh.error());
+    progress.now(fmt::format("packing {} {}s", mesh->cell_count(), name_of(mesh->kind)));
     auto packed = encode(*mesh, options_of(options.flags));
     if (!packed) return complain_of_mesh(options.input, packed.error());
+    progress.now("unpacking");
     auto again = decode(packed->bytes);
     if (!again) {
         complain(options.input, again.error());
         remark("ravel cannot read what it wrote: this is a bug, please report it");
         return ExitCode::bug;
     }
+    progress.now("comparing");
     const double rounding = compare::round_if_asked(*mesh, options_of(options.flags));
     Comparison found = compare_meshes(*mesh, again->mesh, packed->order, packed->position_bound);
     found.max_error = std::max(found.max_error, rounding);
@@ -53,6 +58,7 @@ ExitCode verify_mesh(const Options& options) {
 
 // Without the mesh there is nothing to compare with: unpack everything and check every checksum.
 ExitCode verify_file(const Options& options) {
+    Progress progress(options.input, "unpacking");
     auto bytes = read_bytes(options.input);
     if (!bytes) return complain(options.input, bytes.error());
     auto info = inspect(*bytes);
