@@ -2,10 +2,11 @@
 // once: a breadth-first forest over states (node, hungry or full). Where the full state of a node
 // is in one tree and the hungry state in another, the two walks to it make one walk between two
 // ends; toggled, it closes a path or joins two. A node may also turn singleton: it gives away both
-// its edges. Such steps wait until no others are left. Trees whose end is served grow no more; what
-// they hold is free again in the next round.
-// Cost: linear per round; a round that joins nothing is the last, and there are at most eight per
-// price.
+// its edges. Such steps wait until no others are left. Trees whose end is served grow no more, and
+// what they hold is free. A round ends when only an eighth of its trees is left: the few grow
+// round what the many held, and reach each other sooner from a new start.
+// Cost: linear per round, and most rounds see a part of the graph only; the number of rounds grows
+// with the logarithm of that of the ends, and is bounded.
 #include "graph/close.h"
 
 #include <algorithm>
@@ -16,19 +17,20 @@ namespace {
 
 using State = GraphId;  // 2 * node + (1 where full)
 
-constexpr int kMaxRounds = 8;  // per price; real meshes take one or two
-constexpr int kMaxPrice = 3;   // singletons a walk may make, about
+constexpr int kMaxRounds = 24;     // per price; real meshes take three to ten
+constexpr std::size_t kFewer = 8;  // measured: 4 and 16 take a third longer
+constexpr int kMaxPrice = 3;       // singletons a walk may make, about
 
 class Forest {
   public:
-    Forest(const Graph& graph, EdgeSet& set)
+    // Where singletons have ends, too, walks may start from them and paths be made.
+    Forest(const Graph& graph, EdgeSet& set, bool singletons)
         : graph_(graph),
           set_(set),
+          least_(singletons ? 0 : 1),
           degree_(degrees_in(graph, set)),
           parts_(graph.parts),
           ends_left_(parts_.count, 0),
-          visits_(2 * std::size_t{graph.node_count()}),
-          touched_(graph.edge_count(), 0),
           active_(parts_.count, 1),
           joined_(parts_.count, 0) {
         for (GraphId n = 0; n < graph.node_count(); ++n)
@@ -39,76 +41,115 @@ class Forest {
     void run(int price) {
         std::fill(active_.begin(), active_.end(), std::uint8_t{1});
         for (int round = 0; round < kMaxRounds && grow(price); ++round) {
+            // Only who has had the time to join and did not is done with.
+            if (trees_left_ < enough_) continue;
             active_ = joined_;
             std::fill(joined_.begin(), joined_.end(), std::uint8_t{0});
         }
     }
 
   private:
+    static constexpr std::uint8_t kIn = 1, kTouched = 2;  // of an edge; touched: in this round
+    static constexpr GraphId kNoTree = kNoGraphId;
+    static constexpr GraphId kMostEdge = kNoGraphId / 2;
+
+    // How a state was reached. Steps change from hungry to full or back, unless `dear`.
     struct Visit {
-        GraphId round = 0;
-        State from = kNoGraphId;
-        GraphId edge = kNoGraphId;
-        GraphId root = kNoGraphId;
+        GraphId edge : 31 = 0;
+        GraphId dear : 1 = 0;
+        GraphId tree = kNoTree;
     };
     struct Step {
         State from, to;
         GraphId edge;
     };
 
-    bool seen(State state) const { return visits_[state].round == round_; }
-    bool served(GraphId root) const { return degree_[root] != 1; }
+    bool is_root(State state) const { return root_[visits_[state].tree] == state; }
+    State from(State state) const {
+        const Visit& visit = visits_[state];
+        return 2 * graph_.other(visit.edge, state / 2) + ((state ^ visit.dear ^ 1) & 1);
+    }
+    // What trees hold whose end is served is free.
+    bool held(State state) const {
+        return visits_[state].tree != kNoTree && alive_[visits_[state].tree] != 0;
+    }
 
     // One forest over the active parts; true where it joined anything.
     bool grow(int most) {
-        ++round_;
-        any_ = false;
         most_ = most;
-        queue_.clear();
-        for (GraphId n = 0; n < graph_.node_count(); ++n) {
-            const GraphId part = parts_.of[n];
-            if (degree_[n] != 1 || active_[part] == 0 || (most > 0 && ends_left_[part] <= 2))
-                continue;
-            visits_[2 * n] = {round_, kNoGraphId, kNoGraphId, n};
-            queue_.push_back(2 * n);
-        }
+        any_ = false;
+        plant();
+        if (root_.size() < 2) return false;
         for (price_ = 0; !queue_.empty(); ++price_) {
             dear_.clear();
-            for (std::size_t i = 0; i < queue_.size(); ++i) expand(queue_[i], price_ < most);
-            queue_.clear();
+            drain();
             if (price_ == most) break;
             const std::vector<Step> steps = std::move(dear_);
             ++price_;
-            for (const Step& step : steps) take(step);
+            for (const Step& step : steps)
+                if (held(step.from)) take(step);
             --price_;
         }
+        for (const GraphId e : touched_) set_[e] &= kIn;
+        touched_.clear();
         return any_;
     }
 
-    void expand(State state, bool may_pay) {
+    void plant() {
+        queue_.clear();
+        root_.clear();
+        for (GraphId n = 0; n < graph_.node_count(); ++n) {
+            const GraphId part = parts_.of[n];
+            if (degree_[n] == 2 || degree_[n] < least_ || active_[part] == 0) continue;
+            if (most_ > 0 && ends_left_[part] <= 2) continue;
+            root_.push_back(2 * n);
+        }
+        alive_.assign(root_.size(), 1);
+        trees_left_ = root_.size();
+        enough_ = std::max<std::size_t>(2, most_ == 0 ? trees_left_ / kFewer : 0);
+        if (trees_left_ < 2) return;
+        visits_.assign(2 * std::size_t{graph_.node_count()}, {});
+        for (const State root : root_) {
+            visits_[root].tree = static_cast<GraphId>(queue_.size());
+            queue_.push_back(root);
+        }
+    }
+
+    // Grows trees until none can, or so few are left that starting anew is cheaper: old trees have
+    // grown round what served ones held.
+    void drain() {
+        for (std::size_t i = 0; i < queue_.size() && trees_left_ >= enough_; ++i) expand(queue_[i]);
+        queue_.clear();
+    }
+
+    void expand(State state) {
+        if (!held(state)) return;
         const GraphId node = state / 2;
-        if (served(visits_[state].root)) return;
         const bool full = state % 2 == 1;
         for (const Arc& arc : graph_.at(node)) {
-            if (touched_[arc.edge] == round_) continue;
-            const bool in = set_[arc.edge] != 0;
-            if (in && full) take({state, 2 * arc.to, arc.edge});
-            // A full singleton takes a second edge.
-            if (!in && (!full || degree_[node] == 0)) take({state, 2 * arc.to + 1, arc.edge});
-            // A hungry node gives away its other edge too.
-            if (in && !full && may_pay && arc.edge != visits_[state].edge)
-                dear_.push_back({state, 2 * arc.to, arc.edge});
+            const std::uint8_t edge = set_[arc.edge];
+            if ((edge & kTouched) != 0) continue;
+            if ((edge & kIn) != 0) {
+                if (full) {
+                    take({state, 2 * arc.to, arc.edge});
+                } else if (price_ < most_ && (is_root(state) || arc.edge != visits_[state].edge)) {
+                    // A hungry node gives away its other edge too.
+                    dear_.push_back({state, 2 * arc.to, arc.edge});
+                }
+            } else if (!full || degree_[node] == 0) {
+                // A full singleton takes a second edge.
+                take({state, 2 * arc.to + 1, arc.edge});
+            }
+            if (!held(state)) return;
         }
     }
 
     void take(const Step& step) {
-        const GraphId root = visits_[step.from].root;
-        if (served(root) || seen(step.to) || runs_back(step)) return;
-        visits_[step.to] = {round_, step.from, step.edge, root};
+        const GraphId tree = visits_[step.from].tree;
+        if (held(step.to) || runs_back(step)) return;
+        visits_[step.to] = {step.edge & kMostEdge, (step.from ^ step.to ^ 1) & 1, tree};
         const State other = step.to ^ 1;
-        if (seen(other) && visits_[other].root != root && !served(visits_[other].root) &&
-            join(step.to, other))
-            return;
+        if (held(other) && visits_[other].tree != tree && join(step.to, other)) return;
         queue_.push_back(step.to);
     }
 
@@ -116,11 +157,11 @@ class Forest {
     // rounds let no tree do so at all: that is faster and, measured, leaves fewer cycles to merge.
     bool runs_back(const Step& step) const {
         const State back = (step.from & ~State{1}) | (step.to & 1);
-        if (!seen(back) || visits_[back].edge != step.edge ||
-            visits_[back].root != visits_[step.from].root)
+        const GraphId tree = visits_[step.from].tree;
+        if (visits_[back].tree != tree || is_root(back) || visits_[back].edge != step.edge)
             return false;
         if (most_ == 0) return true;
-        for (State s = step.from; s != kNoGraphId; s = visits_[s].from)
+        for (State s = step.from; !is_root(s); s = from(s))
             if (visits_[s].edge == step.edge) return true;
         return false;
     }
@@ -130,48 +171,56 @@ class Forest {
     bool join(State a, State b) {
         GraphId& left = ends_left_[parts_.of[a / 2]];
         if (left <= 2 && price_ > 0) return false;
-        walk_.clear();
-        bool clean = true;
+        const std::size_t before = touched_.size();
         for (State s : {a, b}) {
-            for (; visits_[s].edge != kNoGraphId; s = visits_[s].from) {
+            for (; !is_root(s); s = from(s)) {
                 const GraphId e = visits_[s].edge;
-                clean = clean && touched_[e] != round_;
-                walk_.push_back(e);
-                if (!clean) break;
-                touched_[e] = round_;
+                if ((set_[e] & kTouched) != 0) {
+                    for (; touched_.size() > before; touched_.pop_back())
+                        set_[touched_.back()] &= kIn;
+                    return false;
+                }
+                set_[e] |= kTouched;
+                touched_.push_back(e);
             }
-            if (!clean) break;
         }
-        if (!clean) {
-            walk_.pop_back();
-            for (const GraphId e : walk_) touched_[e] = 0;
-            return false;
-        }
-        for (const GraphId e : walk_) {
-            const int change = set_[e] != 0 ? -1 : 1;
-            set_[e] ^= 1;
+        for (std::size_t i = before; i < touched_.size(); ++i) {
+            const GraphId e = touched_[i];
+            const int change = (set_[e] & kIn) != 0 ? -1 : 1;
+            set_[e] ^= kIn;
             for (const GraphId node : graph_.ends[e])
                 degree_[node] = static_cast<std::uint8_t>(degree_[node] + change);
         }
-        left -= 2;
+        for (const State s : {a, b}) {
+            const GraphId tree = visits_[s].tree;
+            alive_[tree] = 0;
+            // A singleton is an end now.
+            if (degree_[root_[tree] / 2] == 1)
+                ++left;
+            else
+                --left;
+        }
+        trees_left_ -= 2;
         joined_[parts_.of[a / 2]] = 1;
         any_ = true;
         return true;
     }
 
     const Graph& graph_;
-    EdgeSet& set_;
+    EdgeSet& set_;              // kIn and, during a round, kTouched
+    const std::uint8_t least_;  // degree of a tree's root
     std::vector<std::uint8_t> degree_;
     const Components& parts_;
     std::vector<GraphId> ends_left_;
-    std::vector<Visit> visits_;
-    std::vector<GraphId> touched_;  // edge -> the round that toggled it last
+    std::vector<Visit> visits_;  // state
+    std::vector<State> root_;    // tree
+    std::vector<std::uint8_t> alive_;
     std::vector<State> queue_;
     std::vector<Step> dear_;
-    std::vector<GraphId> walk_;
+    std::vector<GraphId> touched_;
     std::vector<std::uint8_t> active_,
         joined_;  // part -> 1 where this round looks; where it joined
-    GraphId round_ = 0;
+    std::size_t trees_left_ = 0, enough_ = 0;
     int price_ = 0, most_ = 0;
     bool any_ = false;
 };
@@ -179,13 +228,13 @@ class Forest {
 }  // namespace
 
 EdgeSet join_ends(const Graph& graph, EdgeSet set) {
-    Forest(graph, set).run(0);
+    Forest(graph, set, true).run(0);
     return set;
 }
 
 // Free walks all over before any that cost singletons.
 EdgeSet close_paths(const Graph& graph, EdgeSet set) {
-    Forest forest(graph, set);
+    Forest forest(graph, set, false);
     forest.run(0);
     forest.run(kMaxPrice);
     return set;

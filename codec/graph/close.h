@@ -5,8 +5,8 @@
 
 namespace ravel {
 
-// Adds edges by walks between path ends that `augment` did not find: they may be as long as the
-// graph is wide. No walk makes a singleton.
+// Adds edges by walks between path ends and singletons that `augment` did not find: they may be as
+// long as the graph is wide. No walk makes a singleton.
 EdgeSet join_ends(const Graph& graph, EdgeSet set);
 
 // Turns paths into cycles and singletons, with few singletons, but leaves the last path of a

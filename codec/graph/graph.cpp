@@ -6,8 +6,6 @@
 
 namespace ravel {
 
-namespace {
-
 Components find_components(const Graph& graph) {
     Components parts;
     parts.of.assign(graph.node_count(), kNoGraphId);
@@ -27,8 +25,6 @@ Components find_components(const Graph& graph) {
     }
     return parts;
 }
-
-}  // namespace
 
 Graph make_graph(GraphId nodes, std::vector<std::array<GraphId, 2>> ends) {
     Graph graph;

@@ -42,6 +42,9 @@ struct Graph {
     }
 };
 
+// Linear, by breadth-first search.
+Components find_components(const Graph& graph);
+
 // Linear. Edges are numbered as given.
 Graph make_graph(GraphId nodes, std::vector<std::array<GraphId, 2>> ends);
 

@@ -64,8 +64,8 @@ EdgeSet find_factor(const Dual& dual, const Steered& walk, FactorMethod method, 
     return reading == Reading::unmatched ? complement_matching(graph, set) : set;
 }
 
-void count_shapes(const Graph& graph, const EdgeSet& set, StripCounts& counts) {
-    for (const StripShape shape : list_strips(graph, set).shape) {
+void count_shapes(const StripList& strips, StripCounts& counts) {
+    for (const StripShape shape : strips.shape) {
         counts.cycles += shape == StripShape::cycle;
         counts.paths += shape == StripShape::path;
         counts.singletons += shape == StripShape::singleton;
@@ -83,15 +83,22 @@ Strip build_strip(const Complex& complex, FactorMethod method, const StripOption
     const Graph& graph = dual.graph;
     EdgeSet set = find_factor(dual, walk, method, options.reading);
     StripCounts factor;
-    count_shapes(graph, set, factor);
-    // A maximum has been reached already, but for these.
-    if (method == FactorMethod::two_pass || options.reading == Reading::unmatched)
-        set = raise(graph, std::move(set));
-    set = cut_paths(graph, extend_paths(graph, close_paths(graph, std::move(set))));
-    Merged merged = merge_fans(complex, dual, std::move(set));
-    RingLimits rings;
-    rings.edges_in = options.ring_edges;
-    RingMerge whole = merge_rings(graph, std::move(merged.set), rings);
+    StripList strips = list_strips(graph, set);
+    count_shapes(strips, factor);
+    if (factor.paths + factor.singletons > 0) {
+        // A maximum has been reached already, but for these.
+        if (method == FactorMethod::two_pass || options.reading == Reading::unmatched)
+            set = raise(graph, std::move(set));
+        set = cut_paths(graph, extend_paths(graph, close_paths(graph, std::move(set))));
+        strips = list_strips(graph, set);
+    }
+    Merged merged = merge_fans(complex, dual, std::move(set), std::move(strips));
+    RingMerge whole{std::move(merged.set), 0};
+    if (merged.strips > graph.parts.count) {
+        RingLimits rings;
+        rings.edges_in = options.ring_edges;
+        whole = merge_rings(graph, std::move(whole.set), rings);
+    }
     Strip strip = link_strips(complex, dual, whole.set);
     strip.counts.cycles = factor.cycles;
     strip.counts.paths = factor.paths;

@@ -1,5 +1,7 @@
-// One edge per pair of glued facets; cells that share several facets get parallel edges.
-// Cost: linear in facets.
+// One edge per pair of glued facets; cells that share several facets get parallel edges. Edges come
+// in the order of their lower nodes, so the rows of the graph fill in order as well. Where each
+// node but the first of a part has a lower neighbour, as along a walk, edges also carry the numbers
+// of parts from node to node; else the parts are searched for. Cost: linear in facets.
 #include "strip/dual.h"
 
 #include <array>
@@ -16,23 +18,40 @@ Dual make_dual(const Complex& complex, std::span<const Id> order) {
     dual.node_of.resize(cells);
     for (Id n = 0; n < cells; ++n) dual.node_of[order[n]] = n;
     dual.edge_of.assign(complex.twin.size(), kNone);
-    std::vector<std::array<GraphId, 2>> ends;
-    ends.reserve(complex.twin.size() / 2);
-    dual.facet_of.reserve(complex.twin.size() / 2);
+    Graph& graph = dual.graph;
+    graph.first.assign(std::size_t{cells} + 1, 0);
     for (Id n = 0; n < cells; ++n) {
+        Id degree = 0;
+        for (Id f = complex.first[order[n]]; f < complex.first[order[n] + 1]; ++f)
+            degree += complex.twin[f] != kNone;
+        graph.first[n + 1] = graph.first[n] + degree;
+    }
+    graph.arcs.resize(graph.first.back());
+    graph.ends.reserve(graph.arcs.size() / 2);
+    dual.facet_of.reserve(graph.arcs.size() / 2);
+    std::vector<GraphId> fill(graph.first.begin(), graph.first.end() - 1);
+    Components& parts = graph.parts;
+    parts.of.assign(cells, kNoGraphId);
+    bool carried = true;
+    for (Id n = 0; n < cells; ++n) {
+        if (parts.of[n] == kNoGraphId) parts.of[n] = parts.count++;
         for (Id f = complex.first[order[n]]; f < complex.first[order[n] + 1]; ++f) {
             const Id g = complex.twin[f];
             if (g == kNone) continue;
             const Id m = dual.node_of[tets ? g / 4 : complex.cell_of[g]];
             if (m < n) continue;
-            const auto edge = static_cast<Id>(ends.size());
+            const GraphId edge = graph.edge_count();
             dual.edge_of[f] = edge;
             dual.edge_of[g] = edge;
             dual.facet_of.push_back(f);
-            ends.push_back({n, m});
+            graph.ends.push_back({n, m});
+            graph.arcs[fill[n]++] = {m, edge};
+            graph.arcs[fill[m]++] = {n, edge};
+            carried = carried && (parts.of[m] == kNoGraphId || parts.of[m] == parts.of[n]);
+            parts.of[m] = parts.of[n];
         }
     }
-    dual.graph = make_graph(cells, std::move(ends));
+    if (!carried) parts = find_components(graph);
     return dual;
 }
 

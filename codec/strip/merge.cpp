@@ -8,6 +8,7 @@
 #include "strip/merge.h"
 
 #include <array>
+#include <utility>
 
 #include "graph/cycles.h"
 #include "graph/union_find.h"
@@ -66,11 +67,11 @@ bool edge_fan(const Complex& complex, Id facet, Id away, Fan& fan) {
 
 class Merger {
   public:
-    Merger(const Complex& complex, const Dual& dual, EdgeSet& set)
+    Merger(const Complex& complex, const Dual& dual, EdgeSet& set, StripList strips)
         : complex_(complex),
           dual_(dual),
           set_(set),
-          strips_(list_strips(dual.graph, set)),
+          strips_(std::move(strips)),
           parts_(dual.graph.parts),
           sets_(strips_.count()),
           part_size_(parts_.count, 0),
@@ -78,6 +79,7 @@ class Merger {
         for (GraphId s = 0; s < strips_.count(); ++s) {
             sets_.weigh(s, strips_.size(s));
             open_[s] = strips_.shape[s] == StripShape::path;
+            any_open_ = any_open_ || open_[s] != 0;
         }
         for (const GraphId part : parts_.of) ++part_size_[part];
     }
@@ -92,10 +94,16 @@ class Merger {
                     merges += merge_at(strips_.node[i]);
             }
             total += merges;
-            total += absorb_at_path_ends();
+            if (any_open_) total += absorb_at_path_ends();
             if (merges == 0) break;
         }
         return total;
+    }
+
+    std::uint64_t strips_left() {
+        std::uint64_t count = 0;
+        for (GraphId s = 0; s < strips_.count(); ++s) count += sets_.find(s) == s;
+        return count;
     }
 
   private:
@@ -191,20 +199,23 @@ class Merger {
     const Complex& complex_;
     const Dual& dual_;
     EdgeSet& set_;
-    StripList strips_;
+    const StripList strips_;
     const Components& parts_;
     UnionFind sets_;
     std::vector<GraphId> part_size_;
     std::vector<std::uint8_t> open_;  // set of strips -> 1 where it is a path
+    bool any_open_ = false;
     Fan fan_;
     std::vector<GraphId> found_;
 };
 
 }  // namespace
 
-Merged merge_fans(const Complex& complex, const Dual& dual, EdgeSet set) {
-    Merged merged{std::move(set), 0};
-    merged.fan_merges = Merger(complex, dual, merged.set).run();
+Merged merge_fans(const Complex& complex, const Dual& dual, EdgeSet set, StripList strips) {
+    Merged merged{std::move(set), 0, 0};
+    Merger merger(complex, dual, merged.set, std::move(strips));
+    merged.fan_merges = merger.run();
+    merged.strips = merger.strips_left();
     return merged;
 }
 

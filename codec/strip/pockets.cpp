@@ -163,7 +163,8 @@ Strip merge_pockets(const Complex& complex, const Steered& walk) {
     EdgeSet set(dual.graph.edge_count(), 0);
     for (GraphId e = 0; e < set.size(); ++e)
         set[e] = linked.role[dual.facet_of[e]] == FacetRole::strip;
-    Merged merged = merge_fans(complex, dual, std::move(set));
+    StripList strips = list_strips(dual.graph, set);
+    Merged merged = merge_fans(complex, dual, std::move(set), std::move(strips));
     Strip strip = link_strips(complex, dual, merged.set);
     strip.counts.fan_merges = merged.fan_merges;
     return strip;
