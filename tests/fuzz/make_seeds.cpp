@@ -1,8 +1,11 @@
-// Writes the seeds of both fuzzers into a folder: small files made from recipes, and random bytes.
+// Writes the seeds of all fuzzers into a folder: small files made from recipes, and random bytes.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
+#include "io/file_bytes.h"
+#include "io/mesh_io.h"
 #include "make/make_mesh.h"
 #include "make/random.h"
 #include "ravel/ravel.h"
@@ -13,6 +16,37 @@ void write(const std::filesystem::path& path, const std::vector<std::byte>& byte
     std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char*>(bytes.data()),
               static_cast<std::streamsize>(bytes.size()));
+}
+
+// Small meshes in a format's own words; TetGen's files one after the other, apart by a form feed.
+bool write_meshes(const std::filesystem::path& folder, const std::string& format) {
+    std::filesystem::create_directories(folder);
+    int number = 0;
+    for (const char* recipe :
+         {"tiny:empty", "tiny:cube", "tiny:two-tets", "polygons:mixed,size=3x3,attributes",
+          "grid:size=2x2,double", "tets:box=1,attributes,companions", "soup:tets=4,seed=1",
+          "soup:polygons=6,seed=2,attributes"})
+        for (const bool binary : {false, true}) {
+            const auto mesh = ravel::make::make_mesh(recipe);
+            if (!mesh) return false;
+            const std::filesystem::path path = folder / ("seed." + format);
+            // Not every format holds every mesh.
+            if (!ravel::io::write_mesh(*mesh, path.string(), {.binary = binary}, nullptr)) continue;
+            const std::filesystem::path seed = folder / std::to_string(number++);
+            if (format != "ele") {
+                std::filesystem::rename(path, seed);
+                continue;
+            }
+            std::string all;
+            for (const char* ending : {"node", "ele", "face", "edge"}) {
+                std::filesystem::path part = path;
+                const auto bytes = ravel::io::read_file(part.replace_extension(ending).string());
+                all += (bytes ? *bytes : "") + '\f';
+                std::filesystem::remove(part);
+            }
+            if (!ravel::io::write_file(seed.string(), all)) return false;
+        }
+    return number > 0;
 }
 
 std::vector<ravel::EncodeOptions> option_rows() {
@@ -33,7 +67,10 @@ int main(int count, char** words) {
     }
     const std::filesystem::path folder = words[1];
     std::filesystem::create_directories(folder / "decode");
+    std::filesystem::create_directories(folder / "info");
     std::filesystem::create_directories(folder / "roundtrip");
+    for (const char* format : {"obj", "off", "ply", "stl", "msh", "mesh", "vtk", "vtu", "ele"})
+        if (!write_meshes(folder / format, format)) return 1;
     int number = 0;
     for (const char* recipe :
          {"tiny:empty", "tiny:triangle", "tiny:degrees-0-1-2", "tiny:bow-tie", "tiny:pinch",
@@ -47,7 +84,8 @@ int main(int count, char** words) {
         for (const ravel::EncodeOptions& options : option_rows()) {
             const auto packed = ravel::encode(*mesh, options);
             if (!packed) return 1;
-            write(folder / "decode" / std::to_string(number++), packed->bytes);
+            write(folder / "decode" / std::to_string(number), packed->bytes);
+            write(folder / "info" / std::to_string(number++), packed->bytes);
         }
     }
     for (std::uint64_t seed = 0; seed < 100; ++seed) {

@@ -61,6 +61,12 @@ Status write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions&
     return format->write(mesh, path, options, left_out);
 }
 
+std::vector<std::string> endings_together(const std::string& path) {
+    const Format* format = format_of(path);
+    if (!format || format->read != read_tetgen) return {};
+    return {"node", "ele", "face", "edge"};
+}
+
 std::vector<std::string> known_endings() {
     std::vector<std::string> endings;
     for (const Format& format : kFormats) endings.emplace_back(format.ending);

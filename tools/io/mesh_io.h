@@ -26,6 +26,10 @@ struct WriteOptions {
 Status write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options,
                   std::vector<std::string>* left_out = nullptr);
 
+// Where a mesh is several files of one stem (TetGen), the endings of all that a reader of `path`
+// would take for its parts; empty for other formats.
+std::vector<std::string> endings_together(const std::string& path);
+
 // Endings that can be read and written, for help texts: "obj", "off", ...
 std::vector<std::string> known_endings();
 

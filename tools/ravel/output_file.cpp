@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -53,9 +54,28 @@ fs::path folder_of(const std::string& path) {
     return parent.empty() ? fs::path(".") : parent;
 }
 
-Status publish(const TemporaryFolder& folder, const fs::path& target_folder, bool force) {
+// Files of an older mesh beside the target that a reader would take for parts of the new one.
+std::vector<fs::path> stale_parts(const fs::path& target, const std::vector<fs::path>& files) {
+    std::vector<fs::path> stale;
+    for (const std::string& ending : io::endings_together(target.string())) {
+        fs::path part = target;
+        part.replace_extension(ending);
+        const bool is_new = std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+            return file.filename() == part.filename();
+        });
+        std::error_code ignored;
+        if (!is_new && fs::is_regular_file(part, ignored)) stale.push_back(part);
+    }
+    return stale;
+}
+
+Status publish(const TemporaryFolder& folder, const fs::path& target, bool force) {
+    const fs::path target_folder = folder_of(target.string());
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder.path())) files.push_back(entry.path());
+    const std::vector<fs::path> stale = stale_parts(target, files);
+    for (const fs::path& part : stale)
+        if (Status status = may_write(part.string(), force); !status) return status;
     for (const fs::path& file : files) {
         if (Status status = may_write((target_folder / file.filename()).string(), force); !status)
             return status;
@@ -63,9 +83,11 @@ Status publish(const TemporaryFolder& folder, const fs::path& target_folder, boo
     }
     // All of them or, where a signal comes first, none.
     Status renamed = without_interruption([&]() -> Status {
+        for (const fs::path& part : stale)
+            if (std::remove(part.c_str()) != 0) return unwritable(part.string());
         for (const fs::path& file : files) {
-            const fs::path target = target_folder / file.filename();
-            if (std::rename(file.c_str(), target.c_str()) != 0) return unwritable(target.string());
+            const fs::path name = target_folder / file.filename();
+            if (std::rename(file.c_str(), name.c_str()) != 0) return unwritable(name.string());
         }
         return Done{};
     });
@@ -111,7 +133,7 @@ Status write_bytes_output(const std::string& path, std::span<const std::byte> by
     if (!folder) return folder.error();
     const fs::path name = fs::path(path).filename();
     if (Status status = write_file((folder->path() / name).string(), bytes); !status) return status;
-    return publish(*folder, folder_of(path), force);
+    return publish(*folder, path, force);
 }
 
 Status write_mesh_output(const Mesh& mesh, const std::string& path, const std::string& ending,
@@ -132,7 +154,7 @@ Status write_mesh_output(const Mesh& mesh, const std::string& path, const std::s
         if (at != std::string::npos) error.detail.replace(at, copy.size(), path);
         return error;
     }
-    if (!stream) return publish(*folder, folder_of(path), force);
+    if (!stream) return publish(*folder, path, force);
     auto bytes = read_bytes(copy);
     if (!bytes) return bytes.error();
     return write_file(path, *bytes);
