@@ -147,7 +147,9 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.grid_count = block.grid_count;
     // A flag costs at least 1/1386 bit; a cell or a vertex asks for one at least, and a cell for
     // one per corner but for two.
-    limits.plausible = (codes.size() + position_bytes.size() + 16) * 8 * 1386;
+    const std::uint64_t flags =
+        (std::uint64_t{codes.size()} + position_bytes.size() + 16) * 8 * 1386;
+    limits.plausible = static_cast<std::size_t>(std::min<std::uint64_t>(flags, PTRDIFF_MAX));
     const std::uint64_t at = section_of(file, SectionId::connectivity).at;
     if (block.cells > limits.plausible || block.vertices > limits.plausible ||
         block.corners / 3 > limits.plausible)
