@@ -32,13 +32,42 @@ std::uint64_t memory_of(const FileSections& file) {
 
 Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     PositionFormat format;
-    format.grid = !head.lossless;
+    NumberFormat& numbers = format.numbers;
     format.narrow = head.position_scalar == Scalar::f32;
     const std::uint8_t flags = in.u8(), fitted = in.u8();
     format.coarseness = flags & 3;
     format.has_outliers = (flags & 4) != 0;
-    bool sane =
-        flags < 8 && fitted >> kConfigurations == 0 && (format.grid || !format.has_outliers);
+    numbers.has_minus_zero = (flags & 8) != 0;
+    const unsigned base = flags >> 4 & 3;
+    numbers.base = static_cast<NumberBase>(base);
+    bool sane = flags < 128 && fitted >> kConfigurations == 0 && base <= 2 &&
+                (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
+    if (head.lossless) {
+        const std::int64_t places = unzigzag(in.varint());
+        const bool decimal = numbers.base == NumberBase::decimal;
+        numbers.digits = in.u8();
+        sane = sane && places >= (decimal ? 0 : -kMostBinaryPlaces) &&
+               places <= (decimal ? kMostPlaces : kMostBinaryPlaces) &&
+               numbers.digits <= (decimal ? 17 : 53);
+        numbers.places = sane ? static_cast<int>(places) : 0;
+    }
+    if (flags & 64) {
+        const std::uint8_t count = in.u8();
+        format.cube_bits = in.u8();
+        sane = sane && count >= 1 && count <= kMostEchoes && format.cube_bits <= kMostCubeBits;
+        for (std::size_t e = 0; e < count && sane; ++e) {
+            Echo echo;
+            const std::uint8_t mirrored = in.u8();
+            sane = mirrored < 8;
+            for (std::size_t k = 0; k < 3; ++k) {
+                echo.mirrored[k] = (mirrored >> k & 1) != 0;
+                echo.offset[k] = unzigzag(in.varint());
+                sane = sane && echo.offset[k] <= kMostWhole && echo.offset[k] >= -kMostWhole &&
+                       (echo.offset[k] == 0 || numbers.digits == 0);
+            }
+            format.echoes.push_back(echo);
+        }
+    }
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {
             const std::int64_t w = unzigzag(in.varint());
@@ -46,7 +75,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
             format.weights[c][i] = static_cast<std::int16_t>(w);
         }
     if (!sane || !in.ok())
-        return Error{Code::corrupt, in.at(), "the predictor's weights make no sense"};
+        return Error{Code::corrupt, in.at(), "the head of the positions makes no sense"};
     if (head.lossless && head.kind == CellKind::tet) {
         for (double& x : format.place_origin) x = in.f64();
         format.place_scale = in.f64();
@@ -72,19 +101,19 @@ Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes,
         if (v < copy_of.size() && copy_of[v] != kNone) continue;
         const bool outlier = !codes.outliers().empty() && codes.outliers()[v];
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::uint64_t value = codes.values()[v][axis];
-            if (head.lossless) {
-                store(axis, value);
-            } else if (outlier) {
+            if (outlier) {
                 store(axis, codes.outlier_bits()[next_outlier][axis]);
-            } else {
-                const double x = coordinate_of(grid, axis, static_cast<std::int64_t>(value),
-                                               head.position_scalar);
-                if (head.position_scalar == Scalar::f32)
-                    out.as<float>()[3 * p + axis] = static_cast<float>(x);
-                else
-                    out.as<double>()[3 * p + axis] = x;
+                continue;
             }
+            const double x =
+                head.lossless
+                    ? codes.exact(v, axis)
+                    : coordinate_of(grid, axis, static_cast<std::int64_t>(codes.values()[v][axis]),
+                                    head.position_scalar);
+            if (head.position_scalar == Scalar::f32)
+                out.as<float>()[3 * p + axis] = static_cast<float>(x);
+            else
+                out.as<double>()[3 * p + axis] = x;
         }
         next_outlier += outlier;
         ++p;
@@ -132,10 +161,6 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     ByteReader in(position_bytes, section.at);
     Result<PositionFormat> format = read_position_format(in, file.head);
     if (!format) return format.error();
-    FlagDecoder position_bits(in.raw(in.left()));
-    ReadingCoder coder{position_bits};
-    PositionCodes<ReadingCoder> positions(coder, *format);
-
     WalkLimits limits;
     limits.cells = static_cast<Id>(block.cells);
     limits.corners = static_cast<Id>(block.corners);
@@ -154,6 +179,13 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     if (block.cells > limits.plausible || block.vertices > limits.plausible ||
         block.corners / 3 > limits.plausible)
         return Error{Code::corrupt, at, "the codes of the strip can't tell of so many cells"};
+    const Index points = block.vertices + block.unused_points;
+    if (points > limits.plausible)
+        return Error{Code::corrupt, section.at, "the positions can't tell of so many points"};
+    FlagDecoder position_bits(in.raw(in.left()));
+    ReadingCoder coder{position_bits};
+    PositionCodes<ReadingCoder> positions(coder, *format, points);
+    positions.reserve(points);
     const bool tets = file.head.kind == CellKind::tet;
     DecodeDriver driver(codes, positions, position_bits, tets ? tet::kContexts : surface::kContexts,
                         tets ? tet::kCopy.base : surface::kCopy.base,
@@ -170,13 +202,13 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
         static_cast<Index>(std::count(out.walked.by_link.begin(), out.walked.by_link.end(), 1));
     if (starts != block.components || links != block.links)
         return Error{Code::corrupt, at, "the strip has not as many parts as announced"};
-    std::size_t points = 0;
+    std::size_t own = 0;
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
     for (std::size_t v = 0; v < block.vertices; ++v)
-        out.point[v] = copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(points++)
-                                                              : out.point[copy_of[v]];
-    if (points != block.points)
+        out.point[v] =
+            copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(own++) : out.point[copy_of[v]];
+    if (own != block.points)
         return Error{Code::corrupt, at, "the points are not as many as announced"};
     for (Index i = 0; i < block.unused_points; ++i) {
         Stencil stencil;
@@ -188,7 +220,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
         return Error{Code::corrupt, at, "connectivity or positions are longer than the walk"};
     out.flipped = driver.flipped();
     out.mesh.kind = file.head.kind;
-    out.mesh.positions = positions_of(file.head, positions, copy_of, points + block.unused_points);
+    out.mesh.positions = positions_of(file.head, positions, copy_of, own + block.unused_points);
     write_cells(out.walked, out.point, out.flipped, out.mesh);
     return Done{};
 }

@@ -14,6 +14,7 @@ namespace ravel {
 
 // Reads flags and plain bits for code_residual.
 struct ReadingCoder {
+    static constexpr bool kWrites = false;
     FlagDecoder& in;
     std::vector<FlagModel> models = std::vector<FlagModel>(ResidualContexts::count);
     bool flag(Context context, bool) { return in.flag(models[context]); }

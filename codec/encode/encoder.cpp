@@ -179,7 +179,7 @@ Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& op
     Head head;
     head.kind = mesh.kind;
     head.position_scalar = mesh.positions.scalar;
-    head.lossless = !plan.format.grid;
+    head.lossless = !plan.format.grid();
     head.keeps_order = options.keep_order;
     head.position_bits = plan.bits;
     head.step = plan.grid.step;

@@ -49,13 +49,13 @@ double near_log2(double x) {
     return exponent - 2 + 2 * mantissa;
 }
 
-// About what the residuals cost, in bits. On a grid only whole steps of `step` cost anything.
+// About what the residuals cost, in bits. Only whole steps cost anything.
 double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit,
                double step) {
     double bits = 0;
     for (const Sample& s : samples) {
         double e = std::abs(error_of(s, w, n));
-        if (step > 0) e = std::nearbyint(e / step) * step;
+        e = std::nearbyint(e / step) * step;
         bits += near_log2(1 + e / unit);
     }
     return bits;
@@ -64,8 +64,8 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<std::array<double, 3>>& values, const std::vector<bool>& skip,
-                    bool grid) {
+                    const std::vector<std::array<double, 3>>& values,
+                    const std::vector<bool>& skip) {
     constexpr std::size_t kMostSamples = 3 * 16384;
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
@@ -97,13 +97,11 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         w = preset;
         std::vector<double> sizes;
         for (const Sample& s : samples[c]) sizes.push_back(std::abs(error_of(s, preset, n)));
-        // What counts as no error: a fraction of a grid step, or of a large error where there is no
-        // grid.
+        // What counts as no error: a fraction of a unit, or of a large error.
         const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
         std::nth_element(sizes.begin(), large, sizes.end());
-        const double unit =
-            grid ? 0.25 * static_cast<double>(divisor_of(static_cast<Configuration>(c)))
-                 : std::max(*large / 4096, 1e-300);
+        const double unit = std::max(
+            *large / 4096, 0.25 * static_cast<double>(divisor_of(static_cast<Configuration>(c))));
         for (int round = 0; round < 5; ++round) {
             std::array<std::array<double, kFeatures>, kFeatures> a{};
             Solution b{};
@@ -125,8 +123,7 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
             rounded[i] = std::isfinite(scaled) ? scaled / 4096 : preset[i];
         }
         const double stored_bits = 16.0 * static_cast<double>(n) + 8;
-        const double step =
-            grid ? static_cast<double>(divisor_of(static_cast<Configuration>(c))) : 0;
+        const auto step = static_cast<double>(divisor_of(static_cast<Configuration>(c)));
         if (cost_of(samples[c], rounded, n, unit, step) + stored_bits <
             cost_of(samples[c], preset, n, unit, step))
             for (std::size_t i = 0; i < n; ++i)

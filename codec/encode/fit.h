@@ -8,13 +8,13 @@
 
 namespace ravel {
 
-// `values` are coordinates per vertex of the walk (grid units if `grid`, lengths otherwise);
+// `values` are coordinates per vertex of the walk, in units;
 // vertices with a stencil of configuration `seed` and those in `skip` (non-empty: per vertex) are
 // passed over. Weighted least squares, reweighted towards least absolute error, on at most some ten
 // thousand vertices per configuration. A configuration keeps the default weights where fitting does
 // not pay for storing.
 Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<std::array<double, 3>>& values, const std::vector<bool>& skip,
-                    bool grid);
+                    const std::vector<std::array<double, 3>>& values,
+                    const std::vector<bool>& skip);
 
 }  // namespace ravel

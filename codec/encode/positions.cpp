@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
+#include "encode/echoes.h"
 #include "encode/fit.h"
+#include "encode/numbers.h"
 
 namespace ravel {
 namespace {
@@ -72,7 +75,7 @@ void place_on_grid(const Array& positions, PositionPlan& plan) {
             const double q = std::floor((x - plan.grid.origin[axis]) / plan.grid.step + 0.5);
             fits = std::abs(q) < static_cast<double>(kMostGrid);
             if (!fits) break;
-            plan.values[p][axis] = static_cast<std::uint64_t>(static_cast<std::int64_t>(q));
+            plan.values[p][axis] = {static_cast<std::int64_t>(q), 0, 0, false};
             error = std::max(error,
                              std::abs(coordinate_of(plan.grid, axis, static_cast<std::int64_t>(q),
                                                     positions.scalar) -
@@ -85,14 +88,41 @@ void place_on_grid(const Array& positions, PositionPlan& plan) {
         } else {
             ++outliers;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                plan.values[p][axis] = bits_at(positions, 3 * p + axis);
+                plan.values[p][axis] = {0, bits_at(positions, 3 * p + axis), 0, false};
         }
     }
     plan.format.has_outliers = outliers > 0;
 }
 
+// Lossless: every coordinate as a number, or its point bit for bit.
+void place_exactly(const Array& positions, PositionPlan& plan) {
+    plan.format.numbers = choose_numbers(positions);
+    plan.outlier.assign(positions.count(), false);
+    for (std::size_t p = 0; p < positions.count(); ++p) {
+        for (std::size_t axis = 0; axis < 3 && !plan.outlier[p]; ++axis) {
+            const std::optional<Number> n =
+                number_of(plan.format.numbers, value_at(positions, 3 * p + axis), positions.scalar);
+            plan.outlier[p] = !n;
+            if (n) plan.values[p][axis] = *n;
+        }
+        if (!plan.outlier[p]) continue;
+        plan.format.has_outliers = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            plan.values[p][axis] = {0, bits_at(positions, 3 * p + axis), 0, false};
+    }
+    if (!plan.format.has_outliers) plan.outlier.clear();
+}
+
+Point3 units_of(const PositionPlan& plan, std::size_t p) {
+    Point3 units;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        units[axis] = scaled_of(plan.format.numbers, plan.values[p][axis]).units;
+    return units;
+}
+
 // Writes flags and bits into a FlagEncoder, for code_residual.
 struct WritingCoder {
+    static constexpr bool kWrites = true;
     FlagEncoder& out;
     std::vector<FlagModel> models = std::vector<FlagModel>(ResidualContexts::count);
     bool flag(Context context, bool truth) {
@@ -114,12 +144,9 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
     plan.format.narrow = positions.scalar == Scalar::f32;
     plan.values.resize(points);
     if (!options.position_bits && !options.max_error) {
-        for (std::size_t p = 0; p < points; ++p)
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                plan.values[p][axis] = bits_at(positions, 3 * p + axis);
+        place_exactly(positions, plan);
         return plan;
     }
-    plan.format.grid = true;
     plan.outlier.assign(points, false);
     Box box = box_of(positions, points);
     // An origin of few digits, unless the mesh lies so far from zero that it would widen the box.
@@ -167,58 +194,85 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
 
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
     const std::size_t points = mesh.positions.count();
-    if (!plan.format.grid) {
-        const Box box = box_of(mesh.positions, points);
-        plan.format.place_origin = box.low;
-        const double scale = 0x1p16 / box.longest;
-        plan.format.place_scale = std::isfinite(scale) && scale > 0 ? scale : 1;
-    }
     std::vector<Point3> places(points);
+    Point3 low{}, high{};
+    bool any = false;
+    for (std::size_t p = 0; p < points; ++p) {
+        if (!plan.outlier.empty() && plan.outlier[p]) continue;
+        places[p] = units_of(plan, p);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = any ? std::min(low[axis], places[p][axis]) : places[p][axis];
+            high[axis] = any ? std::max(high[axis], places[p][axis]) : places[p][axis];
+        }
+        any = true;
+    }
+    if (plan.format.grid()) return places;
+    double longest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        longest = std::max(longest, high[axis] - low[axis]);
+    plan.format.place_origin = low;
+    const double scale = 0x1p16 / longest;
+    plan.format.place_scale = std::isfinite(scale) && scale > 0 ? scale : 1;
     for (std::size_t p = 0; p < points; ++p)
-        if (plan.outlier.empty() || !plan.outlier[p])
-            places[p] = place_of(plan.format, plan.values[p]);
+        if (plan.outlier.empty() || !plan.outlier[p]) places[p] = place_of(plan.format, places[p]);
     return places;
 }
 
-Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
-                      const std::vector<Index>& unused) {
-    const std::size_t vertices = record.vertex_of.size();
-    const auto point_of = [&](std::size_t v) { return complex.point[record.vertex_of[v]]; };
-    std::vector<std::array<double, 3>> coordinates(vertices);
-    std::vector<bool> skip(vertices, false);
-    for (std::size_t v = 0; v < vertices; ++v) {
-        const std::size_t p = point_of(v);
-        skip[v] = record.copy_of[v] != kNone || (!plan.outlier.empty() && plan.outlier[p]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::uint64_t bits = plan.values[p][axis];
-            coordinates[v][axis] =
-                plan.format.grid
-                    ? (skip[v] ? 0 : static_cast<double>(static_cast<std::int64_t>(bits)))
-                : plan.format.narrow
-                    ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
-                    : std::bit_cast<double>(bits);
-        }
-    }
-    plan.format.weights = fit_weights(record.stencils, coordinates, skip, plan.format.grid);
-    plan.format.coarseness = vertices < 400 ? 2 : vertices < 3000 ? 1 : 0;
+namespace {
 
+// Cubes of about the mean distance of a vertex to its first neighbour.
+int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places) {
+    double length = 0, count = 0;
+    for (std::size_t v = 0; v < record.stencils.size(); ++v) {
+        const Stencil& s = record.stencils[v];
+        if (s.configuration == Configuration::seed) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            length += std::abs(places[v][axis] - places[s.at[0]][axis]);
+        ++count;
+    }
+    int bits = 0;
+    if (count > 0) std::frexp(length / count, &bits);
+    return std::clamp(bits, 1, kMostCubeBits);
+}
+
+Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
+                          const WalkRecord& record, const std::vector<Index>& unused) {
+    const PositionFormat& format = plan.format;
     ByteWriter out;
     unsigned fitted = 0;
     for (std::size_t c = 0; c < kConfigurations; ++c)
-        if (plan.format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
-    out.u8(static_cast<std::uint8_t>(plan.format.coarseness | (plan.format.has_outliers ? 4 : 0)));
+        if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
+    out.u8(static_cast<std::uint8_t>(format.coarseness | (format.has_outliers ? 4 : 0) |
+                                     (format.numbers.has_minus_zero ? 8 : 0) |
+                                     static_cast<int>(format.numbers.base) << 4 |
+                                     (format.echoes.empty() ? 0 : 64)));
     out.u8(static_cast<std::uint8_t>(fitted));
+    if (!format.grid()) {
+        out.varint(zigzag(format.numbers.places));
+        out.u8(static_cast<std::uint8_t>(format.numbers.digits));
+    }
+    if (!format.echoes.empty()) {
+        out.u8(static_cast<std::uint8_t>(format.echoes.size()));
+        out.u8(static_cast<std::uint8_t>(format.cube_bits));
+        for (const Echo& echo : format.echoes) {
+            out.u8(static_cast<std::uint8_t>((echo.mirrored[0] ? 1 : 0) |
+                                             (echo.mirrored[1] ? 2 : 0) |
+                                             (echo.mirrored[2] ? 4 : 0)));
+            for (const std::int64_t offset : echo.offset) out.varint(zigzag(offset));
+        }
+    }
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
-            out.varint(zigzag(plan.format.weights[c][i]));
-    if (!plan.format.grid && complex.kind == CellKind::tet) {
-        for (const double x : plan.format.place_origin) out.f64(x);
-        out.f64(plan.format.place_scale);
+            out.varint(zigzag(format.weights[c][i]));
+    if (!format.grid() && complex.kind == CellKind::tet) {
+        for (const double x : format.place_origin) out.f64(x);
+        out.f64(format.place_scale);
     }
 
+    const std::size_t vertices = record.vertex_of.size();
     FlagEncoder bits;
     WritingCoder coder{bits};
-    PositionCodes<WritingCoder> codes(coder, plan.format);
+    PositionCodes<WritingCoder> codes(coder, format, vertices + unused.size());
     codes.reserve(vertices + unused.size());
     const auto code = [&](std::size_t p, const Stencil& stencil) {
         codes.next(stencil, plan.values[p], !plan.outlier.empty() && plan.outlier[p]);
@@ -227,7 +281,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         if (record.copy_of[v] != kNone)
             codes.copy(record.copy_of[v]);
         else
-            code(point_of(v), record.stencils[v]);
+            code(complex.point[record.vertex_of[v]], record.stencils[v]);
     }
     for (std::size_t i = 0; i < unused.size(); ++i) {
         Stencil stencil;
@@ -236,6 +290,33 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     out.raw(bits.finish());
     return out.take();
+}
+
+}  // namespace
+
+Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
+                      const std::vector<Index>& unused) {
+    const std::size_t vertices = record.vertex_of.size();
+    std::vector<Point3> places(vertices), firm;  // firm: no copies, no outliers
+    std::vector<bool> skip(vertices, false);
+    firm.reserve(vertices);
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const std::size_t p = complex.point[record.vertex_of[v]];
+        const bool outlier = !plan.outlier.empty() && plan.outlier[p];
+        skip[v] = record.copy_of[v] != kNone || outlier;
+        if (!outlier) places[v] = units_of(plan, p);
+        if (!skip[v]) firm.push_back(places[v]);
+    }
+    plan.format.weights = fit_weights(record.stencils, places, skip);
+    plan.format.coarseness = vertices < 400 ? 2 : vertices < 3000 ? 1 : 0;
+    Bytes best = write_head_and_bits(plan, complex, record, unused);
+    plan.format.echoes = find_echoes(firm, plan.format.numbers.digits == 0);
+    if (!plan.format.echoes.empty()) {
+        plan.format.cube_bits = cube_bits_of(record, places);
+        Bytes echoed = write_head_and_bits(plan, complex, record, unused);
+        if (echoed.size() < best.size()) best = std::move(echoed);
+    }
+    return best;
 }
 
 }  // namespace ravel

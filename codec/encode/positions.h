@@ -12,8 +12,8 @@ struct PositionPlan {
     PositionFormat format;
     Grid grid;
     std::uint8_t bits = 0;         // of the longest side
-    std::vector<Position> values;  // grid coordinates, or bits of the floats
-    std::vector<bool> outlier;     // grid: stored bit for bit; empty where there are none
+    std::vector<Position> values;  // numbers; of outliers the bits of the floats
+    std::vector<bool> outlier;     // stored bit for bit; empty where there are none
     double bound = 0, error = 0;
 };
 

@@ -1,52 +1,48 @@
 // Codes the position of each new vertex where the walk meets it, on either side: `Coder` writes or
-// reads flags and plain bits (see code_residual). Grid coordinates are integers; lossless ones are
-// float images, guessed in IEEE double from the exact values.
+// reads flags and plain bits (see code_residual). Coordinates are numbers of a unit (numbers.h);
+// guesses are made in IEEE doubles from values both sides know.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
 #include "mesh/point3.h"
-#include "predict/float_image.h"
+#include "predict/echoes.h"
 #include "predict/grid.h"
+#include "predict/numbers.h"
 #include "predict/predictor.h"
 #include "predict/residual_context.h"
 
 namespace ravel {
 
 struct PositionFormat {
-    bool grid = false;
+    NumberFormat numbers;
     bool narrow = true;         // float32
-    bool has_outliers = false;  // grid: some vertices are stored bit for bit instead
+    bool has_outliers = false;  // some vertices are stored bit for bit instead
     int coarseness = 0;         // of residual contexts
     Weights weights = kDefaultWeights;
-    // Lossless tets: the integers that stand for the floats where the walk asks for places.
+    std::vector<Echo> echoes;  // at most kMostEchoes
+    int cube_bits = 0;         // of the cubes in which echoes are looked for
+    // Lossless tets: the integers that stand for the numbers where the walk asks for places.
     Point3 place_origin{};
     double place_scale = 1;
+
+    bool grid() const { return numbers.base == NumberBase::grid; }
 };
 
-// Grid: int64 values. Lossless and outliers: the bits of the floats.
-using Position = std::array<std::uint64_t, 3>;
-
-inline double double_of(std::uint64_t bits, bool narrow) {
-    return narrow ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
-                  : std::bit_cast<double>(bits);
-}
+// What is to be coded of a vertex; an outlier has the bits of its floats in `rest`.
+using Position = std::array<Number, 3>;
 
 // Where a vertex is, in integers: the grid's, or the nearest of 2^20 + 1 steps along each axis.
-inline Point3 place_of(const PositionFormat& format, const Position& position) {
+inline Point3 place_of(const PositionFormat& format, const Point3& value) {
+    if (format.grid()) return value;
     Point3 place;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (format.grid) {
-            place[axis] = static_cast<double>(static_cast<std::int64_t>(position[axis]));
-            continue;
-        }
-        const double x = double_of(position[axis], format.narrow);
-        const double scaled = (x - format.place_origin[axis]) * format.place_scale;
+        const double scaled = (value[axis] - format.place_origin[axis]) * format.place_scale;
         place[axis] = scaled > 0 ? std::floor(std::min(scaled, 0x1p20) + 0.5) : 0;
     }
     return place;
@@ -55,12 +51,19 @@ inline Point3 place_of(const PositionFormat& format, const Position& position) {
 template <class Coder>
 class PositionCodes {
   public:
-    PositionCodes(Coder& coder, const PositionFormat& format)
-        : coder_(coder), format_(format), sizes_(format.coarseness) {}
+    // `vertices`: about how many there will be, unused points among them.
+    PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
+        : coder_(coder), format_(format), sizes_(format.coarseness) {
+        if (!format_.echoes.empty()) index_.emplace(format_.cube_bits, vertices);
+        most_ = format_.grid() ? kMostGrid : kMostWhole;
+        keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
+    }
 
     void reserve(std::size_t vertices) {
         values_.reserve(vertices);
+        if (keeps_exact_) exact_.reserve(vertices);
         sizes_.reserve(vertices);
+        if (index_) index_->reserve(vertices);
     }
 
     // False: a value no encoder writes.
@@ -69,104 +72,251 @@ class PositionCodes {
             outlier = coder_.flag(ResidualContexts::outlier.at(0), outlier);
             outliers_.push_back(outlier);
             if (outlier) {
-                Position bits{};
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    bits[axis] = coder_.plain(truth[axis], format_.narrow ? 32 : 64);
-                raw_.push_back(bits);
-                Position stand_in{};
-                if (stencil.at[0] != kNone) stand_in = values_[stencil.at[0]];
-                values_.push_back(stand_in);
-                sizes_.push(sizes_.expected(stencil) / 2);
+                code_outlier(stencil, truth);
                 return true;
             }
         }
+        const Point3 g = guess_at(stencil);
+        std::array<std::int64_t, 3> whole;  // of the guess
+        for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] = whole_of(g[axis]);
+        Found found;
+        bool echoed = false;
+        if (index_) {
+            found = find_echo(g);
+            if (found.vertex != ~Id{0}) echoed = code_echoed(found, truth, whole);
+        }
         std::uint32_t expected = sizes_.expected(stencil), sum = 0;
-        Position value{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::uint32_t context = sizes_.context(expected);
+        Point3 value{}, exact{};
+        bool sane = true;
+        for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
+            Number number = truth[axis];
             std::uint32_t size = 0;
-            if (format_.grid) {
-                const std::int64_t g = guess_grid(stencil, axis);
-                const std::int64_t r = code_residual(
-                    coder_, context, static_cast<std::int64_t>(truth[axis]) - g, size);
-                // A file may hold any residual: the sum wraps.
-                const auto q = static_cast<std::int64_t>(static_cast<std::uint64_t>(g) +
-                                                         static_cast<std::uint64_t>(r));
-                if (q >= kMostGrid || q <= -kMostGrid) {
-                    values_.push_back({});
-                    sizes_.push(0);
-                    return false;
+            bool same = false;
+            if (echoed) {
+                const std::uint32_t axis_class = static_cast<std::uint32_t>(axis);
+                same = coder_.flag(ResidualContexts::same.at(axis_class, same_),
+                                   is_same(found, axis, number));
+                same_ = (same_ << 1 | (same ? 1 : 0)) & 3;
+                if (same) {
+                    copy_axis(found, axis, value, exact);
+                    sane = std::abs(value[axis]) < static_cast<double>(most_);
+                } else {
+                    code_whole(kEchoClass + axis_class, found.whole[axis], number.whole, size);
                 }
-                value[axis] = static_cast<std::uint64_t>(q);
             } else {
-                const std::uint64_t g = guess_image(stencil, axis);
-                const std::int64_t r =
-                    code_residual(coder_, context,
-                                  wrapped_difference(image(truth[axis]), g, format_.narrow), size);
-                value[axis] = bits(g + static_cast<std::uint64_t>(r));
+                code_whole(sizes_.context(expected), whole[axis], number.whole, size);
+            }
+            if (!same) {
+                sane = number.whole < most_ && number.whole > -most_ &&
+                       code_rest(static_cast<std::uint32_t>(axis), number);
+                const Scaled s = sane ? scaled_of(format_.numbers, number) : Scaled{};
+                value[axis] = s.units;
+                exact[axis] = s.exact;
             }
             sum += size;
             expected = (expected + 2 * size + 1) / 2;
         }
-        values_.push_back(value);
-        sizes_.push((sum + 1) / 3);
-        return true;
+        add(value, exact, echoed ? sizes_.expected(stencil) / 2 : (sum + 1) / 3);
+        return sane;
     }
 
     // A vertex at the place of an earlier one.
     void copy(Id of) {
-        const Position value = values_[of];
-        values_.push_back(value);
-        sizes_.push(0);
+        const Point3 value = values_[of];
+        add(value, keeps_exact_ ? exact_[of] : Point3{}, 0);
         if (format_.has_outliers) outliers_.push_back(false);
     }
 
     const PositionFormat& format() const { return format_; }
-    const std::vector<Position>& values() const { return values_; }
+    // In units.
+    const std::vector<Point3>& values() const { return values_; }
+    // A coordinate that is no grid's, as a double.
+    double exact(std::size_t vertex, std::size_t axis) const {
+        if (keeps_exact_) return exact_[vertex][axis];
+        const double x = values_[vertex][axis];
+        return format_.numbers.base == NumberBase::decimal
+                   ? x / kTensAsDoubles[static_cast<std::size_t>(format_.numbers.places)]
+                   : std::ldexp(x, -format_.numbers.places);
+    }
     // Per vertex, where there are any at all; the bits in the order of the vertices.
     const std::vector<bool>& outliers() const { return outliers_; }
-    const std::vector<Position>& outlier_bits() const { return raw_; }
+    const std::vector<std::array<std::uint64_t, 3>>& outlier_bits() const { return raw_; }
 
   private:
-    std::uint64_t image(std::uint64_t b) const {
-        return format_.narrow ? image_of(static_cast<std::uint32_t>(b)) : image_of(b);
-    }
-    std::uint64_t bits(std::uint64_t i) const {
-        return format_.narrow ? bits32_of(i) : bits64_of(i);
-    }
-    double as_double(std::uint64_t b) const { return double_of(b, format_.narrow); }
+    struct Found {
+        Id vertex = ~Id{0};
+        std::size_t echo = 0;
+        double distance = 0;
+        std::array<std::int64_t, 3> whole{};  // of the echo
+    };
 
-    std::int64_t guess_grid(const Stencil& stencil, std::size_t axis) const {
-        const auto f = features_of<std::int64_t>(
-            stencil.configuration,
-            [&](std::size_t i) { return static_cast<std::int64_t>(values_[stencil.at[i]][axis]); },
-            [&](std::size_t i) { return stencil.at[i] != kNone; });
-        const std::int64_t g = guess(stencil.configuration, f, format_.weights);
-        return std::clamp(g, -kMostGrid, kMostGrid);
+    void add(const Point3& value, const Point3& exact, std::uint32_t size) {
+        values_.push_back(value);
+        if (keeps_exact_) exact_.push_back(exact);
+        sizes_.push(size);
+        if (index_) index_->insert(value);
     }
 
-    std::uint64_t guess_image(const Stencil& stencil, std::size_t axis) const {
-        const auto f = features_of<double>(
-            stencil.configuration,
-            [&](std::size_t i) { return as_double(values_[stencil.at[i]][axis]); },
-            [&](std::size_t i) { return stencil.at[i] != kNone; });
-        double g = guess(stencil.configuration, f, format_.weights);
-        if (!std::isfinite(g)) {
-            if (stencil.at[0] != kNone) return image(values_[stencil.at[0]][axis]);
-            g = 0;
+    void code_outlier(const Stencil& stencil, const Position& truth) {
+        std::array<std::uint64_t, 3> bits{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            bits[axis] = coder_.plain(truth[axis].rest, format_.narrow ? 32 : 64);
+        raw_.push_back(bits);
+        const Id of = stencil.at[0];
+        add(of != kNone ? values_[of] : Point3{},
+            of != kNone && keeps_exact_ ? exact_[of] : Point3{}, sizes_.expected(stencil) / 2);
+    }
+
+    Point3 guess_at(const Stencil& stencil) const {
+        Point3 g;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto f = features_of<double>(
+                stencil.configuration, [&](std::size_t i) { return values_[stencil.at[i]][axis]; },
+                [&](std::size_t i) { return stencil.at[i] != kNone; });
+            const auto most = static_cast<double>(most_);
+            g[axis] = std::clamp(guess(stencil.configuration, f, format_.weights), -most, most);
         }
-        if (!format_.narrow) return image(std::bit_cast<std::uint64_t>(g));
-        constexpr double kMost = std::numeric_limits<float>::max();
-        return image(
-            std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(g, -kMost, kMost))));
+        return g;
+    }
+    // The whole part nearest to a value; where there are digits behind the point they are cut off.
+    std::int64_t whole_of(double units) const {
+        return static_cast<std::int64_t>(format_.numbers.digits > 0 ? units
+                                                                    : std::floor(units + 0.5));
+    }
+
+    Found find_echo(const Point3& g) const {
+        Found found;
+        for (std::size_t e = 0; e < format_.echoes.size(); ++e) {
+            const auto near = index_->nearest(format_.echoes[e].back(g), values_);
+            if (near.vertex == ~Id{0} ||
+                (found.vertex != ~Id{0} && near.distance >= found.distance))
+                continue;
+            found.vertex = near.vertex;
+            found.distance = near.distance;
+            found.echo = e;
+        }
+        if (found.vertex == ~Id{0}) return found;
+        const Echo& echo = format_.echoes[found.echo];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto w = static_cast<std::int64_t>(values_[found.vertex][k]);
+            found.whole[k] = std::clamp(echo.mirrored[k] ? echo.offset[k] - w : echo.offset[k] + w,
+                                        -most_, most_);
+        }
+        return found;
+    }
+
+    static int width_of(std::int64_t r) { return static_cast<int>(std::bit_width(magnitude(r))); }
+    // The writer takes an echo where its residuals are smaller than the guess's.
+    bool code_echoed(const Found& found, const Position& truth,
+                     const std::array<std::int64_t, 3>& whole) {
+        bool better = false;
+        if constexpr (Coder::kWrites) {
+            int by_echo = 2, by_guess = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                by_echo += 2 * width_of(truth[k].whole - found.whole[k]);
+                by_guess += 2 * width_of(truth[k].whole - whole[k]) +
+                            rest_digits(format_.numbers, truth[k].whole);
+            }
+            better = by_echo < by_guess;
+        }
+        const auto far =
+            static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(found.distance)));
+        better = coder_.flag(ResidualContexts::echo.at(far, echoed_), better);
+        echoed_ = (echoed_ << 1 | (better ? 1u : 0u)) & 7;
+        return better;
+    }
+
+    double mirrored(double x) const { return x == 0 && !format_.numbers.has_minus_zero ? 0 : -x; }
+    double echo_value(const Found& found, std::size_t axis) const {
+        const Echo& echo = format_.echoes[found.echo];
+        const double w = values_[found.vertex][axis], o = static_cast<double>(echo.offset[axis]);
+        if (o == 0) return echo.mirrored[axis] ? mirrored(w) : w;
+        return echo.mirrored[axis] ? o - w : o + w;
+    }
+    bool is_same(const Found& found, std::size_t axis, const Number& truth) const {
+        if constexpr (Coder::kWrites) {
+            const double x = echo_value(found, axis);
+            const double want = scaled_of(format_.numbers, truth).units;
+            return x == want && std::signbit(x) == std::signbit(want);
+        }
+        return false;
+    }
+    void copy_axis(const Found& found, std::size_t axis, Point3& value, Point3& exact) const {
+        value[axis] = echo_value(found, axis);
+        if (!keeps_exact_) return;
+        const double x = exact_[found.vertex][axis];
+        exact[axis] = format_.echoes[found.echo].mirrored[axis] ? mirrored(x) : x;
+    }
+
+    void code_whole(std::uint32_t context, std::int64_t guess, std::int64_t& whole,
+                    std::uint32_t& size) {
+        const std::int64_t r = code_residual(coder_, context, whole - guess, size);
+        // A file may hold any residual: the sum wraps.
+        whole = static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
+                                          static_cast<std::uint64_t>(r));
+    }
+
+    // What lies behind the point, and the sign of zero.
+    bool code_rest(std::uint32_t axis, Number& n) {
+        using C = ResidualContexts;
+        const NumberFormat& f = format_.numbers;
+        if (f.digits == 0) {
+            n.rest = 0;
+            if (n.whole == 0 && f.has_minus_zero)
+                n.negative = minus_zero_[axis] =
+                    coder_.flag(C::minus_zero.at(axis, minus_zero_[axis]), n.negative);
+            else
+                n.negative = false;
+            return true;
+        }
+        int digits = rest_digits(f, n.whole);
+        if (n.whole == 0) {
+            const bool zero = coder_.flag(C::whole_zero.at(axis, was_zero_[axis]), n.rest == 0);
+            was_zero_[axis] = zero;
+            if (zero) {
+                n.rest = 0;
+                n.negative = f.has_minus_zero && coder_.flag(C::minus_zero.at(axis, 0), n.negative);
+                return true;
+            }
+            n.negative = coder_.plain(n.negative, 1) != 0;
+            int zeros = 0;
+            while (zeros < kMostLeading &&
+                   coder_.flag(C::leading.at(static_cast<std::uint32_t>(zeros)), zeros < n.zeros))
+                ++zeros;
+            n.zeros = zeros;
+            if (f.base == NumberBase::decimal && f.places + zeros + digits > kMostPlaces)
+                return false;
+        } else if (digits == 0) {
+            n.rest = 0;
+            return true;
+        } else {
+            const auto d = static_cast<std::uint32_t>(digits);
+            if (coder_.flag(C::rest_zero.at(d), n.rest == 0)) {
+                n.rest = 0;
+                return true;
+            }
+            if (f.base == NumberBase::decimal && f.places + digits > kMostPlaces) return false;
+        }
+        const int width =
+            f.base == NumberBase::binary
+                ? digits
+                : static_cast<int>(std::bit_width(kTens[static_cast<std::size_t>(digits)] - 1));
+        n.rest = coder_.plain(n.rest, width);
+        return n.rest != 0 &&
+               (f.base == NumberBase::binary || n.rest < kTens[static_cast<std::size_t>(digits)]);
     }
 
     Coder& coder_;
     const PositionFormat format_;
+    std::int64_t most_ = 0;
+    bool keeps_exact_ = false;
     ResidualSizes sizes_;
-    std::vector<Position> values_;
+    std::vector<Point3> values_, exact_;
     std::vector<bool> outliers_;
-    std::vector<Position> raw_;
+    std::vector<std::array<std::uint64_t, 3>> raw_;
+    std::optional<VertexIndex> index_;
+    std::uint32_t echoed_ = 0, same_ = 0;
+    std::array<bool, 3> minus_zero_{}, was_zero_{};
 };
 
 inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::count);

@@ -105,17 +105,6 @@ Features<T> features_of(Configuration configuration, const Point& p, const Has& 
     return f;
 }
 
-// Rounds to nearest, halves up. |inputs| < 2^43 can't overflow.
-inline std::int64_t guess(Configuration configuration, const Features<std::int64_t>& f,
-                          const Weights& weights) {
-    const auto& w = weights[static_cast<std::size_t>(configuration)];
-    std::int64_t sum = f.base * (std::int64_t{1} << kWeightBits);
-    for (std::size_t i = 0; i < kFeatures; ++i) sum += w[i] * f.feature[i];
-    const std::int64_t scale = divisor_of(configuration) << kWeightBits;
-    const std::int64_t shifted = sum + scale / 2;
-    return shifted >= 0 ? shifted / scale : -((-shifted + scale - 1) / scale);
-}
-
 inline double guess(Configuration configuration, const Features<double>& f,
                     const Weights& weights) {
     const auto& w = weights[static_cast<std::size_t>(configuration)];

@@ -9,25 +9,29 @@
 
 #include "base/context.h"
 #include "mesh/stencil.h"
+#include "predict/numbers.h"
 
 namespace ravel {
 
 // A residual r is coded as the bit width of |r| (a path of six yes/no down a binary tree, 63
 // meaning 63 or 64), its sign, the bit below the highest under a context, and the rest as they are.
 inline constexpr std::uint32_t kSizeContexts = 40;
+inline constexpr std::uint32_t kEchoClass = kSizeContexts;  // and the next two: per axis
 inline constexpr std::uint32_t kSizeNodes = 64;
 
 struct ResidualContexts {
-    static constexpr ContextBlock size{0, kSizeContexts, kSizeNodes};
+    static constexpr ContextBlock size{0, kEchoClass + 3, kSizeNodes};
     static constexpr ContextBlock size64{size.end(), 1};
     static constexpr ContextBlock second{size64.end(), 64, 1};
     static constexpr ContextBlock outlier{second.end(), 1};
-    static constexpr Context count = outlier.end();
+    static constexpr ContextBlock echo{outlier.end(), 24, 8};
+    static constexpr ContextBlock same{echo.end(), 3, 4};
+    static constexpr ContextBlock minus_zero{same.end(), 3, 2};
+    static constexpr ContextBlock whole_zero{minus_zero.end(), 3, 2};  // is it 0, rest and all?
+    static constexpr ContextBlock leading{whole_zero.end(), kMostLeading};
+    static constexpr ContextBlock rest_zero{leading.end(), 64};
+    static constexpr Context count = rest_zero.end();
 };
-
-inline std::uint64_t magnitude(std::int64_t r) {
-    return r < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(r) : static_cast<std::uint64_t>(r);
-}
 
 // The residual sizes of all vertices so far, and from them the class of the next. `coarseness`
 // merges classes (2^coarseness to one), for meshes with few vertices.

@@ -124,34 +124,29 @@ TEST_CASE("planes of a slow ramp are small numbers first and zeros after") {
     for (std::size_t i = 2001; i < planes.size(); ++i) CHECK(planes[i] == std::byte{0});
 }
 
-TEST_CASE("a guess rounds to nearest, halves up, also below zero") {
+TEST_CASE("a guess is base and weighted features, over the divisor") {
     Weights weights{};
-    const auto triangle = static_cast<std::size_t>(Configuration::triangle);
-    for (std::int64_t t = -40; t <= 40; ++t) {
-        weights[triangle][0] = 2048;  // a half
-        Features<std::int64_t> f;
-        f.feature[0] = t;
-        CHECK(guess(Configuration::triangle, f, weights) ==
-              static_cast<std::int64_t>(std::floor(double(t) / 2 + 0.5)));
-        const auto tet = static_cast<std::size_t>(Configuration::tet);
-        weights[tet][0] = 4096;
-        CHECK(guess(Configuration::tet, f, weights) ==
-              static_cast<std::int64_t>(std::floor(double(t) / 3 + 0.5)));
-    }
+    Features<double> f;
+    f.base = 30;
+    f.feature[0] = 7;
+    weights[static_cast<std::size_t>(Configuration::triangle)][0] = 2048;  // a half
+    CHECK(guess(Configuration::triangle, f, weights) == 33.5);
+    weights[static_cast<std::size_t>(Configuration::tet)][0] = -4096;
+    CHECK(guess(Configuration::tet, f, weights) == 23.0 / 3);
 }
 
-TEST_CASE("guesses from the farthest grid coordinates with the largest weights do not overflow") {
+TEST_CASE("guesses from the farthest numbers with the largest weights stay finite") {
     Weights weights;
     for (const std::int16_t w : {std::int16_t{32767}, std::int16_t{-32768}}) {
         for (auto& row : weights) row.fill(w);
         for (std::size_t c = 0; c < kConfigurations; ++c)
             for (unsigned signs = 0; signs < 1u << kStencilSize; ++signs) {
-                const auto f = features_of<std::int64_t>(
+                const auto most = static_cast<double>(kMostWhole);
+                const auto f = features_of<double>(
                     static_cast<Configuration>(c),
-                    [&](std::size_t i) { return signs >> i & 1 ? kMostGrid : -kMostGrid; },
+                    [&](std::size_t i) { return signs >> i & 1 ? most : -most; },
                     [](std::size_t) { return true; });
-                const std::int64_t g = guess(static_cast<Configuration>(c), f, weights);
-                CHECK(std::abs(static_cast<double>(g)) < 0x1p55);
+                CHECK(std::abs(guess(static_cast<Configuration>(c), f, weights)) < 0x1p62);
             }
     }
 }
@@ -184,15 +179,46 @@ TEST_CASE("grid coordinates are origin and steps, rounded to the mesh's floats")
 
 TEST_CASE("places of any floats are integers within the grid of places") {
     PositionFormat format;
-    format.narrow = false;
+    format.numbers.base = NumberBase::binary;
     for (const double scale : {1.0, 0x1p16, 1e300, 1e-300, Limits::quiet_NaN(), -1.0})
         for (const double x : ascending_doubles()) {
             format.place_scale = scale;
-            const auto bits = std::bit_cast<std::uint64_t>(x);
-            for (const double p : place_of(format, {bits, bits, bits})) {
+            for (const double p : place_of(format, {x, x, x})) {
                 CHECK(p >= 0);
                 CHECK(p <= 0x1p20);
                 CHECK(p == std::floor(p));
             }
         }
+}
+
+TEST_CASE("the index of vertices finds the nearest one within a cube") {
+    std::mt19937 random(7);
+    std::vector<Point3> points;
+    VertexIndex index(3, 4000);
+    for (int i = 0; i < 4000; ++i) {
+        Point3 p;
+        for (double& x : p) x = static_cast<double>(random() % 200) - 100;
+        points.push_back(p);
+        index.insert(p);
+    }
+    for (int i = 0; i < 2000; ++i) {
+        Point3 p;
+        for (double& x : p) x = static_cast<double>(random() % 2000) / 10 - 100;
+        double least = 4;  // half a cube: within it nothing may be missed
+        for (const Point3& q : points)
+            least = std::min(least,
+                             std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]));
+        const auto near = index.nearest(p, points);
+        if (least < 4) CHECK(near.distance == least);
+        CHECK(near.distance <= 8);
+    }
+}
+
+TEST_CASE("an echo leads back to where it came from") {
+    Echo echo;
+    echo.mirrored = {true, false, true};
+    echo.offset = {10, 0, -4};
+    const Point3 p = echo.back({3, 5, 1});
+    CHECK(p == Point3{7, 5, -5});
+    CHECK(echo.back(p)[0] == 3);
 }

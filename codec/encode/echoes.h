@@ -1,0 +1,14 @@
+// Finds how a mesh repeats itself: planes of symmetry, and vertices that stand on one another.
+#pragma once
+
+#include <vector>
+
+#include "predict/echoes.h"
+
+namespace ravel {
+
+// `places` are coordinates in units, of the points that are no outliers; `may_move` false: mirrors
+// through zero alone. O(n log n).
+std::vector<Echo> find_echoes(const std::vector<Point3>& places, bool may_move);
+
+}  // namespace ravel

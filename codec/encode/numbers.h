@@ -1,0 +1,19 @@
+// Chooses the unit of lossless coordinates, and says of each coordinate what number it is.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "predict/numbers.h"
+#include "ravel/mesh.h"
+
+namespace ravel {
+
+// The format that takes fewest bits for these coordinates, judged by the size of its units; those
+// that do not fit it are left to be stored bit for bit. Linear.
+NumberFormat choose_numbers(const Array& positions);
+
+// The number that decodes to exactly these bits, or none: not finite, or not of this format.
+std::optional<Number> number_of(const NumberFormat& format, double x, Scalar scalar);
+
+}  // namespace ravel

@@ -1,0 +1,92 @@
+// Vertices that stand where an earlier one stood, once mirrored or moved: artists' meshes are
+// symmetric, and parts are repeated. The earlier vertex is looked for near the place from which the
+// guess would have come.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/context.h"
+#include "mesh/point3.h"
+
+namespace ravel {
+
+// Axis k of the echo is offset[k] + axis k of the earlier vertex, or offset[k] - it.
+struct Echo {
+    std::array<bool, 3> mirrored{};
+    std::array<std::int64_t, 3> offset{};
+
+    bool operator==(const Echo&) const = default;
+    Point3 back(const Point3& p) const {
+        Point3 out;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto o = static_cast<double>(offset[k]);
+            out[k] = mirrored[k] ? o - p[k] : p[k] - o;
+        }
+        return out;
+    }
+};
+inline constexpr std::size_t kMostEchoes = 8;
+inline constexpr int kMostCubeBits = 52;
+
+// Vertices by cubes of side 2^cube_bits, hashed. A look takes 8 cubes, at most 12 vertices each;
+// vertices of other cubes with the same hash are among them, so the hash is part of the format.
+class VertexIndex {
+  public:
+    VertexIndex(int cube_bits, std::size_t vertices)
+        : scale_(std::ldexp(1.0, -cube_bits)),
+          side_(std::ldexp(1.0, cube_bits)),
+          heads_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)),
+                 ~Id{0}) {}
+
+    void reserve(std::size_t vertices) { next_.reserve(vertices); }
+
+    void insert(const Point3& p) {
+        Id& head = heads_[slot(cube(p[0] * scale_), cube(p[1] * scale_), cube(p[2] * scale_))];
+        next_.push_back(head);
+        head = static_cast<Id>(next_.size() - 1);
+    }
+
+    // The nearest vertex by the sum over the axes, and that sum, below the side of a cube.
+    struct Near {
+        std::uint32_t vertex = ~std::uint32_t{0};
+        double distance = 0;
+    };
+    Near nearest(const Point3& p, const std::vector<Point3>& values) const {
+        Near best;
+        best.distance = side_;
+        std::array<std::int64_t, 3> low;
+        for (std::size_t k = 0; k < 3; ++k) low[k] = cube(p[k] * scale_ - 0.5);
+        for (int i = 0; i < 8; ++i) {
+            Id v = heads_[slot(low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2))];
+            for (int looks = 0; v != ~Id{0} && looks < 12; ++looks, v = next_[v]) {
+                const Point3& q = values[v];
+                const double d =
+                    std::abs(q[0] - p[0]) + std::abs(q[1] - p[1]) + std::abs(q[2] - p[2]);
+                if (d < best.distance) best = {v, d};
+            }
+        }
+        return best;
+    }
+
+  private:
+    using Id = std::uint32_t;
+    static std::int64_t cube(double x) {
+        return static_cast<std::int64_t>(std::floor(std::clamp(x, -0x1p60, 0x1p60)));
+    }
+    std::size_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const {
+        const std::uint64_t h = (static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u) ^
+                                (static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu) ^
+                                (static_cast<std::uint64_t>(z) * 0x165667B19E3779F9u);
+        return static_cast<std::size_t>(h >> 32) & (heads_.size() - 1);
+    }
+
+    double scale_, side_;
+    std::vector<Id> heads_, next_;
+};
+
+}  // namespace ravel
