@@ -51,8 +51,7 @@ class DecodeDriver {
     void begin_cell(Id) {}
     void new_vertex(Id vertex, Id, const Stencil& stencil) {
         code_vertex(vertex, stencil);
-        if (wants_places_)
-            places_.push_back(place_of(positions_.format(), positions_.values().back()));
+        if (wants_places_) places_.push_back(place_of_last(stencil));
     }
     const Point3& place(Id vertex) const { return places_[vertex]; }
     void end_cell(Id) {
@@ -77,6 +76,13 @@ class DecodeDriver {
     bool border(Id) const { return false; }
 
   private:
+    Point3 place_of_last(const Stencil& stencil) const {
+        if (!copy_of_.empty() && copy_of_.back() != kNone) return places_[copy_of_.back()];
+        if (!positions_.outliers().empty() && positions_.outliers().back())
+            return stencil.at[0] == kNone ? Point3{} : places_[stencil.at[0]];
+        return place_of(positions_.format(), positions_.values().back());
+    }
+
     void code_vertex(Id vertex, const Stencil& stencil) {
         Id of = kNone;
         if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {

@@ -21,5 +21,6 @@ ls -A | diff before - | grep -v -e err -e before
 # A reader that stops early.
 ravel -q decode torus.ravel -o - --to obj 2>err | head -1
 echo "${PIPESTATUS[0]} $(grep -c 'Broken pipe' err)"
-ravel -q encode torus.ply -o - 2>err | head -c 1
+ravel -q make torus:quads=200000 -o large.ply
+ravel -q encode large.ply -o - 2>err | head -c 1
 echo " ${PIPESTATUS[0]} $(grep -c 'Broken pipe' err)"
