@@ -1,7 +1,7 @@
 // Dual graph -> 2-matching (steered walk, Euler tour, two matchings, or one in the inflated graph)
 // -> maximum by alternating walks -> surplus paths closed -> strips merged around fans, then by
-// longer rings -> tree of links. Cost: near-linear; about 1 s per million cells, and that of the
-// matchings.
+// longer rings, then by rotations -> tree of links. Cost: near-linear; about 1 s per million cells,
+// and that of the matchings.
 #include "strip/build.h"
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "graph/cycles.h"
 #include "graph/euler.h"
 #include "graph/rings.h"
+#include "graph/rotate.h"
 #include "graph/template_factor.h"
 #include "graph/two_pass.h"
 #include "strip/dual.h"
@@ -98,6 +99,7 @@ Strip build_strip(const Complex& complex, FactorMethod method, const StripOption
         RingLimits rings;
         rings.edges_in = options.ring_edges;
         whole = merge_rings(graph, std::move(whole.set), rings);
+        if (rings.edges_in > 0) whole.set = merge_by_rotations(graph, std::move(whole.set)).set;
     }
     Strip strip = link_strips(complex, dual, whole.set);
     strip.counts.cycles = factor.cycles;

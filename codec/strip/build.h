@@ -15,7 +15,8 @@ enum class Reading : std::uint8_t { matched, unmatched };
 
 struct StripOptions {
     // Strip edges on the longest ring that is toggled to merge strips (graph/rings.h): long rings
-    // save links but make the strip turn more often. 0: fans only, as the paper.
+    // save links but make the strip turn more often. 0: fans only, as the paper; else what rings
+    // leave is merged by rotations (graph/rotate.h).
     int ring_edges = 6;
     Reading reading = Reading::matched;
     // Per facet, equal on twins: the strips of FactorMethod::steered prefer light ones to the
