@@ -203,6 +203,11 @@ Status check_mesh(const Mesh& mesh) {
         return bad(0, "positions have no whole number of points");
     if (Status status = check_cells(mesh); !status) return status;
     if (Status status = check_companions(mesh); !status) return status;
+    for (std::size_t n = 0; n < mesh.tag_names.size(); ++n)
+        if (mesh.tag_names[n].dimension < -1 || mesh.tag_names[n].dimension > 3)
+            return bad(n, "the name \"" + mesh.tag_names[n].name + "\" has dimension " +
+                              std::to_string(mesh.tag_names[n].dimension) +
+                              "; there are 0 to 3, and -1 for none");
     return check_attributes(mesh);
 }
 

@@ -2,11 +2,13 @@
 // lead to unvisited ones, and the borders met so far. Facet f has the edge slots 3f, 3f+1, 3f+2;
 // slot e is the edge opposite the e-th vertex of the facet's outward triple. Slots of neighbouring
 // facets are mates; `fan` counts the visited tets between two mates. A hash finds an open facet by
-// its vertices.
+// its vertices; those that crowd into one place of it go to a tree, so that no choice of vertices
+// makes a step dearer than O(log facets).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "walk/walk.h"
@@ -86,36 +88,41 @@ class TetFront {
         }
     }
 
-    // --- open facets by their vertices ---------------------------------------------------------
+    // --- open facets by their vertices; no two have the same -----------------------------------
 
     void insert(Id facet) {
         if (2 * (used_ + 1) > table_.size()) rehash();
-        std::size_t i = place_of(facet);
-        while (table_[i] < kErased) i = (i + 1) & (table_.size() - 1);
-        if (table_[i] == kNone) ++used_;
-        table_[i] = facet;
-        ++live_;
+        if (place(facet)) ++live_;
     }
     void erase(Id facet) {
         if (table_.empty()) return;
-        for (std::size_t i = place_of(facet); table_[i] != kNone; i = (i + 1) & (table_.size() - 1))
+        std::size_t i = home_of(key_of(facet));
+        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
             if (table_[i] == facet) {
                 table_[i] = kErased;
                 --live_;
                 return;
             }
+        if (!crowd_.empty()) crowd_.erase(key_of(facet));
     }
-    // An open facet with the vertices of `facet`, or kNone.
+    // The open facet with the vertices of `facet`, or kNone.
     Id find(Id facet) const {
         if (table_.empty()) return kNone;
-        const auto key = key_of(facet);
-        for (std::size_t i = place_of(facet); table_[i] != kNone; i = (i + 1) & (table_.size() - 1))
+        const Key key = key_of(facet);
+        std::size_t i = home_of(key);
+        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
             if (table_[i] != kErased && key_of(table_[i]) == key) return table_[i];
-        return kNone;
+        if (crowd_.empty()) return kNone;
+        const auto found = crowd_.find(key);
+        return found == crowd_.end() ? kNone : found->second;
     }
+    // How many open facets found no place near their own.
+    std::size_t crowd() const { return crowd_.size(); }
 
   private:
+    using Key = std::array<Id, 3>;
     static constexpr Id kErased = kNone - 1;
+    static constexpr int kMostProbes = 48;
 
     void grow(Id base) {
         mate_.resize(3 * (std::size_t{base} + 4), 0);
@@ -126,22 +133,34 @@ class TetFront {
         mate_[r] = s;
         fan_[s] = fan_[r] = static_cast<std::uint8_t>(tets < 255 ? tets : 255);
     }
-    std::array<Id, 3> key_of(Id facet) const {
+    Key key_of(Id facet) const {
         const Id base = facet & ~Id{3};
         const auto& triple = kOutward[facet & 3];
-        std::array<Id, 3> v{vertex_[base + triple[0]], vertex_[base + triple[1]],
-                            vertex_[base + triple[2]]};
+        Key v{vertex_[base + triple[0]], vertex_[base + triple[1]], vertex_[base + triple[2]]};
         if (v[0] > v[1]) std::swap(v[0], v[1]);
         if (v[1] > v[2]) std::swap(v[1], v[2]);
         if (v[0] > v[1]) std::swap(v[0], v[1]);
         return v;
     }
-    std::size_t place_of(Id facet) const {
-        const auto v = key_of(facet);
+    std::size_t home_of(const Key& v) const {
         std::uint64_t h = v[0] * 0x9E3779B97F4A7C15u;
         h = (h ^ (h >> 29) ^ v[1]) * 0xBF58476D1CE4E5B9u;
         h = (h ^ (h >> 32) ^ v[2]) * 0x94D049BB133111EBu;
         return (h ^ (h >> 31)) & (table_.size() - 1);
+    }
+    std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
+    // Into the table, or else the tree: is it the table?
+    bool place(Id facet) {
+        const Key key = key_of(facet);
+        std::size_t i = home_of(key);
+        for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
+            if (table_[i] >= kErased) {
+                if (table_[i] == kNone) ++used_;
+                table_[i] = facet;
+                return true;
+            }
+        crowd_.emplace(key, facet);
+        return false;
     }
     void rehash() {
         std::vector<Id> old(table_.size() < 4 * (live_ + 16)
@@ -149,13 +168,9 @@ class TetFront {
                                 : table_.size(),
                             kNone);
         old.swap(table_);
-        used_ = live_;
-        for (const Id facet : old) {
-            if (facet >= kErased) continue;
-            std::size_t i = place_of(facet);
-            while (table_[i] != kNone) i = (i + 1) & (table_.size() - 1);
-            table_[i] = facet;
-        }
+        used_ = live_ = 0;
+        for (const Id facet : old)
+            if (facet < kErased && place(facet)) ++live_;
     }
 
     const std::vector<Id>& vertex_;  // of the walk, per corner
@@ -163,6 +178,7 @@ class TetFront {
     std::vector<std::uint8_t> fan_;  // per slot
     std::vector<Id> table_;          // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
+    std::map<Key, Id> crowd_;
 };
 
 }  // namespace ravel

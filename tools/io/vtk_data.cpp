@@ -88,6 +88,7 @@ bool take_words(const NamedArray& array, Mesh& mesh) {
     const std::size_t second = first == rest.npos ? rest.npos : rest.find(':', first + 1);
     TagName tag;
     if (second == rest.npos || !parse_integer(rest.substr(0, first), tag.dimension) ||
+        tag.dimension < -1 || tag.dimension > 3 ||
         !parse_integer(rest.substr(first + 1, second - first - 1), tag.value)) {
         return false;
     }

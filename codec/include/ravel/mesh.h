@@ -102,7 +102,8 @@ const char* name_of(CellKind kind);  // "polygon", "tet"
 
 // Invariants (checked by `check_mesh`): positions have arity 3 and are f32 or f64; corner_begin is
 // ascending from 0 to corners.size() for polygons and empty for tets, whose corners come in fours;
-// every corner and companion node is a point; attributes have one tuple or index per element.
+// every corner and companion node is a point; attributes have one tuple or index per element; names
+// have a dimension from -1 to 3.
 // Nothing else is asked: any soup is a mesh.
 struct Mesh {
     CellKind kind = CellKind::polygon;
