@@ -32,10 +32,12 @@ Builder honeycomb(std::uint64_t width, std::uint64_t height) {
 Builder mixed(std::uint64_t width, std::uint64_t height, Random& random) {
     Builder builder(CellKind::polygon);
     for (std::uint64_t y = 0; y <= height; ++y)
-        for (std::uint64_t x = 0; x <= width; ++x)
-            builder.add_point(static_cast<double>(x) + 0.2 * random.symmetric(),
-                              static_cast<double>(y) + 0.2 * random.symmetric(),
-                              0.3 * random.symmetric());
+        for (std::uint64_t x = 0; x <= width; ++x) {
+            // One after the other: compilers differ in the order of arguments.
+            const double up = 0.3 * random.symmetric(), back = 0.2 * random.symmetric(),
+                         right = 0.2 * random.symmetric();
+            builder.add_point(static_cast<double>(x) + right, static_cast<double>(y) + back, up);
+        }
     const auto point = [&](std::uint64_t x, std::uint64_t y) { return y * (width + 1) + x; };
     for (std::uint64_t y = 0; y < height; ++y)
         for (std::uint64_t x = 0; x < width; ++x) {
