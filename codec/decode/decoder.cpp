@@ -39,10 +39,12 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     format.coarseness = flags & 3;
     format.has_outliers = (flags & 4) != 0;
     numbers.has_minus_zero = (flags & 8) != 0;
+    format.has_levels = (flags & 128) != 0;
+    format.has_follows = fitted >> kConfigurations != 0;
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
-    bool sane = flags < 128 && fitted >> kConfigurations == 0 && base <= 2 &&
-                (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
+    bool sane =
+        base <= 2 && (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
         const std::int64_t places = unzigzag(in.varint());
         const bool decimal = numbers.base == NumberBase::decimal;

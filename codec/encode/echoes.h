@@ -7,8 +7,13 @@
 
 namespace ravel {
 
+struct Echoes {
+    std::vector<Echo> likely;  // the best plane across each axis; vertices on one another
+    std::vector<Echo> more;    // second planes, and steps along an axis
+};
+
 // `places` are coordinates in units, of the points that are no outliers; `may_move` false: mirrors
 // through zero alone. O(n log n).
-std::vector<Echo> find_echoes(const std::vector<Point3>& places, bool may_move);
+Echoes find_echoes(const std::vector<Point3>& places, bool may_move);
 
 }  // namespace ravel

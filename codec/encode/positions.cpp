@@ -242,11 +242,11 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
     unsigned fitted = 0;
     for (std::size_t c = 0; c < kConfigurations; ++c)
         if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
-    out.u8(static_cast<std::uint8_t>(format.coarseness | (format.has_outliers ? 4 : 0) |
-                                     (format.numbers.has_minus_zero ? 8 : 0) |
-                                     static_cast<int>(format.numbers.base) << 4 |
-                                     (format.echoes.empty() ? 0 : 64)));
-    out.u8(static_cast<std::uint8_t>(fitted));
+    out.u8(static_cast<std::uint8_t>(
+        format.coarseness | (format.has_outliers ? 4 : 0) |
+        (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
+        (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
+    out.u8(static_cast<std::uint8_t>(fitted | (format.has_follows ? 128 : 0)));
     if (!format.grid()) {
         out.varint(zigzag(format.numbers.places));
         out.u8(static_cast<std::uint8_t>(format.numbers.digits));
@@ -309,12 +309,35 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     plan.format.weights = fit_weights(record.stencils, places, skip);
     plan.format.coarseness = vertices < 400 ? 2 : vertices < 3000 ? 1 : 0;
+
+    // What helps one mesh costs another a flag per vertex: it stays where it makes the bytes fewer.
     Bytes best = write_head_and_bits(plan, complex, record, unused);
-    plan.format.echoes = find_echoes(firm, plan.format.numbers.digits == 0);
-    if (!plan.format.echoes.empty()) {
-        plan.format.cube_bits = cube_bits_of(record, places);
-        Bytes echoed = write_head_and_bits(plan, complex, record, unused);
-        if (echoed.size() < best.size()) best = std::move(echoed);
+    PositionFormat kept = plan.format;
+    const auto offer = [&] {
+        Bytes bytes = write_head_and_bits(plan, complex, record, unused);
+        if (bytes.size() < best.size())
+            best = std::move(bytes), kept = plan.format;
+        else
+            plan.format = kept;
+    };
+    constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
+    const Echoes echoes = find_echoes(firm, plan.format.numbers.digits == 0);
+    plan.format.cube_bits = cube_bits_of(record, places);
+    plan.format.echoes = echoes.likely;
+    if (!echoes.likely.empty()) offer();
+    if (!echoes.more.empty() && vertices < kLarge) {
+        for (const Echo& echo : echoes.more)
+            if (plan.format.echoes.size() < kMostEchoes) plan.format.echoes.push_back(echo);
+        offer();
+    }
+    plan.format.has_levels = true;
+    offer();
+    std::size_t seeds = 0;
+    for (const Stencil& stencil : record.stencils)
+        seeds += stencil.configuration == Configuration::seed;
+    if (seeds > 4) {
+        plan.format.has_follows = true;
+        offer();
     }
     return best;
 }

@@ -12,6 +12,7 @@
 
 #include "mesh/point3.h"
 #include "predict/echoes.h"
+#include "predict/follows.h"
 #include "predict/grid.h"
 #include "predict/numbers.h"
 #include "predict/predictor.h"
@@ -19,12 +20,16 @@
 
 namespace ravel {
 
+inline constexpr std::size_t kLevelStencil = 7;
+
 struct PositionFormat {
     NumberFormat numbers;
     bool narrow = true;         // float32
     bool has_outliers = false;  // some vertices are stored bit for bit instead
     int coarseness = 0;         // of residual contexts
     Weights weights = kDefaultWeights;
+    bool has_levels = false;   // coordinates that several neighbours share are asked for
+    bool has_follows = false;  // parts repeat: see follows.h
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
     // Lossless tets: the integers that stand for the numbers where the walk asks for places.
@@ -55,6 +60,7 @@ class PositionCodes {
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
         : coder_(coder), format_(format), sizes_(format.coarseness) {
         if (!format_.echoes.empty()) index_.emplace(format_.cube_bits, vertices);
+        if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
         keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
     }
@@ -81,10 +87,22 @@ class PositionCodes {
         for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] = whole_of(g[axis]);
         Found found;
         bool echoed = false;
-        if (index_) {
+        std::uint32_t family = 0;  // of contexts
+        if (courses_) {
+            const Id leader = courses_->next(stencil, static_cast<Id>(values_.size()), prior_);
+            if (leader != kNone) {
+                found = find_follow(stencil, leader, g);
+                echoed = code_followed(found, truth, whole);
+                family = 3;
+            }
+        }
+        if (index_ && !echoed) {
             found = find_echo(g);
+            family = 0;
             if (found.vertex != ~Id{0}) echoed = code_echoed(found, truth, whole);
         }
+        prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
+                                                                                    : kNone;
         std::uint32_t expected = sizes_.expected(stencil), sum = 0;
         Point3 value{}, exact{};
         bool sane = true;
@@ -92,19 +110,31 @@ class PositionCodes {
             Number number = truth[axis];
             std::uint32_t size = 0;
             bool same = false;
+            const auto a = static_cast<std::uint32_t>(axis);
             if (echoed) {
-                const std::uint32_t axis_class = static_cast<std::uint32_t>(axis);
-                same = coder_.flag(ResidualContexts::same.at(axis_class, same_),
-                                   is_same(found, axis, number));
-                same_ = (same_ << 1 | (same ? 1 : 0)) & 3;
+                if (found.copies || format_.numbers.digits == 0) {
+                    std::uint32_t& history = family == 0 ? same_ : follow_same_;
+                    const auto& block =
+                        family == 0 ? ResidualContexts::same : ResidualContexts::follow_same;
+                    same = coder_.flag(block.at(a, history),
+                                       Coder::kWrites && is(number, found.value[axis]));
+                    history = (history << 1 | (same ? 1u : 0u)) & 3;
+                }
                 if (same) {
-                    copy_axis(found, axis, value, exact);
+                    value[axis] = found.value[axis];
+                    if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    code_whole(kEchoClass + axis_class, found.whole[axis], number.whole, size);
+                    code_whole(kEchoClass + family + a, found.whole[axis], number.whole, size);
                 }
             } else {
-                code_whole(sizes_.context(expected), whole[axis], number.whole, size);
+                if (format_.has_levels) same = code_level(stencil, axis, whole[axis], number);
+                if (same) {
+                    value[axis] = values_[level_vertex_][axis];
+                    if (keeps_exact_) exact[axis] = exact_[level_vertex_][axis];
+                } else {
+                    code_whole(sizes_.context(expected), whole[axis], number.whole, size);
+                }
             }
             if (!same) {
                 sane = number.whole < most_ && number.whole > -most_ &&
@@ -148,6 +178,8 @@ class PositionCodes {
         std::size_t echo = 0;
         double distance = 0;
         std::array<std::int64_t, 3> whole{};  // of the echo
+        Point3 value{}, exact{};              // of the echo; exact only if
+        bool copies = false;                  // its coordinates are known to the last bit
     };
 
     void add(const Point3& value, const Point3& exact, std::uint32_t size) {
@@ -155,6 +187,7 @@ class PositionCodes {
         if (keeps_exact_) exact_.push_back(exact);
         sizes_.push(size);
         if (index_) index_->insert(value);
+        if (courses_) courses_->insert(static_cast<Id>(values_.size() - 1));
     }
 
     void code_outlier(const Stencil& stencil, const Position& truth) {
@@ -197,10 +230,15 @@ class PositionCodes {
         }
         if (found.vertex == ~Id{0}) return found;
         const Echo& echo = format_.echoes[found.echo];
+        found.copies = true;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto w = static_cast<std::int64_t>(values_[found.vertex][k]);
             found.whole[k] = std::clamp(echo.mirrored[k] ? echo.offset[k] - w : echo.offset[k] + w,
                                         -most_, most_);
+            found.value[k] = echo_value(found, k);
+            if (keeps_exact_)
+                found.exact[k] =
+                    echo.mirrored[k] ? mirrored(exact_[found.vertex][k]) : exact_[found.vertex][k];
         }
         return found;
     }
@@ -210,15 +248,7 @@ class PositionCodes {
     bool code_echoed(const Found& found, const Position& truth,
                      const std::array<std::int64_t, 3>& whole) {
         bool better = false;
-        if constexpr (Coder::kWrites) {
-            int by_echo = 2, by_guess = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                by_echo += 2 * width_of(truth[k].whole - found.whole[k]);
-                by_guess += 2 * width_of(truth[k].whole - whole[k]) +
-                            rest_digits(format_.numbers, truth[k].whole);
-            }
-            better = by_echo < by_guess;
-        }
+        if constexpr (Coder::kWrites) better = is_better(found, truth, whole, 2);
         const auto far =
             static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(found.distance)));
         better = coder_.flag(ResidualContexts::echo.at(far, echoed_), better);
@@ -233,19 +263,78 @@ class PositionCodes {
         if (o == 0) return echo.mirrored[axis] ? mirrored(w) : w;
         return echo.mirrored[axis] ? o - w : o + w;
     }
-    bool is_same(const Found& found, std::size_t axis, const Number& truth) const {
-        if constexpr (Coder::kWrites) {
-            const double x = echo_value(found, axis);
-            const double want = scaled_of(format_.numbers, truth).units;
-            return x == want && std::signbit(x) == std::signbit(want);
-        }
-        return false;
+    bool is(const Number& truth, double x) const {
+        const double want = scaled_of(format_.numbers, truth).units;
+        return x == want && std::signbit(x) == std::signbit(want);
     }
-    void copy_axis(const Found& found, std::size_t axis, Point3& value, Point3& exact) const {
-        value[axis] = echo_value(found, axis);
-        if (!keeps_exact_) return;
-        const double x = exact_[found.vertex][axis];
-        exact[axis] = format_.echoes[found.echo].mirrored[axis] ? mirrored(x) : x;
+
+    // The vertex as its leader stands among its neighbours.
+    Found find_follow(const Stencil& stencil, Id leader, const Point3& g) const {
+        Found found;
+        found.vertex = leader;
+        const auto v = static_cast<Id>(values_.size());
+        const Stencil before = shifted(stencil, v - leader);
+        found.copies = true;
+        for (std::size_t i = 0; i < 3 && stencil.at[i] != kNone; ++i)
+            found.copies = found.copies && values_[stencil.at[i]] == values_[before.at[i]];
+        if (found.copies) {
+            found.value = values_[leader];
+            if (keeps_exact_) found.exact = exact_[leader];
+        } else {
+            found.value =
+                carried(values_, stencil, before, minus(values_[leader], guess_at(before)), g);
+        }
+        const auto most = static_cast<double>(most_);
+        for (std::size_t k = 0; k < 3; ++k) {
+            found.value[k] = std::clamp(found.value[k], -most, most);
+            found.whole[k] = whole_of(found.value[k]);
+            if (format_.numbers.digits == 0 && !found.copies)
+                found.value[k] = static_cast<double>(found.whole[k]);
+        }
+        return found;
+    }
+    bool code_followed(const Found& found, const Position& truth,
+                       const std::array<std::int64_t, 3>& whole) {
+        bool better = false;
+        if constexpr (Coder::kWrites) better = is_better(found, truth, whole, 1);
+        better = coder_.flag(ResidualContexts::follow.at(followed_, found.copies), better);
+        followed_ = (followed_ << 1 | (better ? 1u : 0u)) & 7;
+        return better;
+    }
+    bool is_better(const Found& found, const Position& truth,
+                   const std::array<std::int64_t, 3>& whole, int price) const {
+        int by_echo = price, by_guess = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            by_echo += 2 * width_of(truth[k].whole - found.whole[k]);
+            by_guess += 2 * width_of(truth[k].whole - whole[k]);
+            if (found.copies) by_guess += rest_digits(format_.numbers, truth[k].whole);
+        }
+        return by_echo < by_guess;
+    }
+
+    // A coordinate that at least two of the first known vertices share: does the new one, too?
+    bool code_level(const Stencil& stencil, std::size_t axis, std::int64_t guess,
+                    const Number& truth) {
+        std::array<double, kLevelStencil> x;
+        std::array<Id, kLevelStencil> id;
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < kLevelStencil; ++i)
+            if (stencil.at[i] != kNone)
+                id[n] = stencil.at[i], x[n] = values_[stencil.at[i]][axis], ++n;
+        std::uint32_t most = 1;
+        for (std::size_t i = 0; i + most < n; ++i) {
+            std::uint32_t votes = 1;
+            for (std::size_t j = i + 1; j < n; ++j) votes += x[j] == x[i];
+            if (votes > most) most = votes, level_vertex_ = id[i];
+        }
+        if (most < 2) return false;
+        const double level = values_[level_vertex_][axis];
+        const bool same = coder_.flag(
+            ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration), most,
+                                       level_[axis], guess == static_cast<std::int64_t>(level)),
+            Coder::kWrites && is(truth, level));
+        level_[axis] = (level_[axis] << 1 | (same ? 1u : 0u)) & 3;
+        return same;
     }
 
     void code_whole(std::uint32_t context, std::int64_t guess, std::int64_t& whole,
@@ -315,7 +404,10 @@ class PositionCodes {
     std::vector<bool> outliers_;
     std::vector<std::array<std::uint64_t, 3>> raw_;
     std::optional<VertexIndex> index_;
-    std::uint32_t echoed_ = 0, same_ = 0;
+    std::optional<Courses> courses_;
+    std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
+    std::array<std::uint32_t, 3> level_{};
+    Id level_vertex_ = 0, prior_ = kNone;
     std::array<bool, 3> minus_zero_{}, was_zero_{};
 };
 

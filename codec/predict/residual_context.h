@@ -16,7 +16,7 @@ namespace ravel {
 // A residual r is coded as the bit width of |r| (a path of six yes/no down a binary tree, 63
 // meaning 63 or 64), its sign, the bit below the highest under a context, and the rest as they are.
 inline constexpr std::uint32_t kSizeContexts = 40;
-inline constexpr std::uint32_t kEchoClass = kSizeContexts;  // and the next two: per axis
+inline constexpr std::uint32_t kEchoClass = kSizeContexts;  // then those of followers: per axis
 inline constexpr std::uint32_t kSizeNodes = 64;
 
 struct ResidualContexts {
@@ -30,7 +30,10 @@ struct ResidualContexts {
     static constexpr ContextBlock whole_zero{minus_zero.end(), 3, 2};  // is it 0, rest and all?
     static constexpr ContextBlock leading{whole_zero.end(), kMostLeading};
     static constexpr ContextBlock rest_zero{leading.end(), 64};
-    static constexpr Context count = rest_zero.end();
+    static constexpr ContextBlock level{rest_zero.end(), 8, 12, 4, 2};
+    static constexpr ContextBlock follow{level.end(), 8, 2};
+    static constexpr ContextBlock follow_same{follow.end(), 3, 4};
+    static constexpr Context count = follow_same.end();
 };
 
 // The residual sizes of all vertices so far, and from them the class of the next. `coarseness`

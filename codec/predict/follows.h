@@ -1,0 +1,101 @@
+// Parts that repeat. Where the walk has gone since its last seed exactly as it went after an
+// earlier seed, a vertex follows the one at the same place of that course, its leader: its stencil
+// is the leader's, so many vertices later. What the leader's guess missed is carried over, turned
+// as the stencil has turned; so parts may be moved, turned and stretched.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/point3.h"
+#include "mesh/stencil.h"
+
+namespace ravel {
+
+// The stencil `by` vertices earlier.
+inline Stencil shifted(const Stencil& stencil, Id by) {
+    Stencil out = stencil;
+    for (Id& v : out.at)
+        if (v != kNone) v -= by;
+    return out;
+}
+
+// The courses of all seeds so far, as hashes, and the last vertex that had each.
+class Courses {
+  public:
+    explicit Courses(std::size_t vertices)
+        : last_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)), kNone) {
+        hash_.reserve(vertices);
+    }
+
+    // The leader of vertex v, or none. Once per vertex that is coded. `prior`: what the vertex
+    // before was a copy of, or none; the next one is preferred.
+    Id next(const Stencil& stencil, Id v, Id prior) {
+        const bool seed = stencil.configuration == Configuration::seed;
+        if (seed && !in_seed_) course_ = 1, begin_ = v;
+        in_seed_ = seed;
+        course_ = course_ * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(stencil.configuration);
+        // Vertices of before the seed are no part of the course.
+        bool within = true;
+        for (const Id p : stencil.at) {
+            const bool known = p != kNone && p >= begin_;
+            course_ = course_ * 0xC2B2AE3D27D4EB4Fu + (known ? v - p : 0);
+        }
+        course_ ^= course_ >> 29;
+        fresh_ = true;
+        Id leader = last_[slot()];
+        if (prior != kNone && prior + 1 < v && hash_[prior + 1] == course_) leader = prior + 1;
+        if (leader == kNone || hash_[leader] != course_) return kNone;
+        for (const Id p : stencil.at) within = within && (p == kNone || p >= v - leader);
+        return within ? leader : kNone;
+    }
+    void insert(Id v) {
+        hash_.push_back(fresh_ ? course_ : 0);
+        if (fresh_) last_[slot()] = v;
+        fresh_ = false;
+    }
+
+  private:
+    std::size_t slot() const {
+        return static_cast<std::size_t>(course_ >> 32) & (last_.size() - 1);
+    }
+
+    std::vector<Id> last_;
+    std::vector<std::uint64_t> hash_;
+    std::uint64_t course_ = 1;
+    Id begin_ = 0;
+    bool in_seed_ = false, fresh_ = false;
+};
+
+// guess + `missed`, turned and stretched from the frame of the stencil `from` to that of `to`.
+inline Point3 carried(const std::vector<Point3>& values, const Stencil& to, const Stencil& from,
+                      const Point3& missed, const Point3& guess) {
+    Point3 out{guess[0] + missed[0], guess[1] + missed[1], guess[2] + missed[2]};
+    if (to.at[0] == kNone || to.at[1] == kNone || to.at[2] == kNone ||
+        to.configuration == Configuration::seed)
+        return out;
+    const auto edges = [&](const Stencil& s, Point3& a, Point3& b) {
+        a = minus(values[s.at[1]], values[s.at[0]]);
+        b = minus(values[s.at[2]], values[s.at[0]]);
+    };
+    Point3 a, b, c, d;
+    edges(from, a, b);
+    edges(to, c, d);
+    if (a == c && b == d) return out;
+    const Point3 n = cross(a, b), m = cross(c, d);
+    const double area = dot(n, n), other = dot(m, m);
+    if (!(area > 0) || !(other > 0)) return out;
+    const double x = dot(cross(missed, b), n) / area, y = dot(cross(a, missed), n) / area;
+    const double z = dot(missed, n) / area * std::sqrt(std::sqrt(area / other));
+    Point3 turned;
+    for (std::size_t k = 0; k < 3; ++k) {
+        turned[k] = guess[k] + ((x * c[k] + y * d[k]) + z * m[k]);
+        if (!(std::abs(turned[k]) <= 0x1p60)) return out;
+    }
+    return turned;
+}
+
+}  // namespace ravel
