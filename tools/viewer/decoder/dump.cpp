@@ -1,0 +1,62 @@
+// What the page's decoder must answer, by the native decoder: replies with their arrays inline.
+//     ravel_viewer_dump [--time] FILE.ravel OUT.reply [FILE OUT ...]
+// Prints a line per file: milliseconds, the best of several with --time.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "decoder/describe.h"
+
+namespace ravel::web {
+
+void put_array(Reply& reply, const void* data, std::size_t size) {
+    reply.raw(data, size);
+}
+
+namespace {
+
+void answer(std::span<const std::byte> bytes, Reply& reply) {
+    Result<Decoded> decoded = decode(bytes);
+    std::vector<Bytes> more;
+    reply = {};
+    if (decoded)
+        describe(*decoded, {true, true}, more, reply);
+    else
+        describe(decoded.error(), reply);
+}
+
+bool dump(const char* from, const char* to, bool timed) {
+    std::ifstream file(from, std::ios::binary);
+    const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+    if (!file) return false;
+    Reply reply;
+    double best = 0;
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::milliseconds(timed ? 2000 : 0);
+    do {
+        const auto start = Clock::now();
+        answer(std::as_bytes(std::span(bytes)), reply);
+        const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        best = best == 0 ? ms : std::min(best, ms);
+    } while (Clock::now() < end);
+    std::printf("%.3f\n", best);
+    std::ofstream out(to, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(reply.bytes.data()),
+              static_cast<std::streamsize>(reply.bytes.size()));
+    return static_cast<bool>(out.flush());
+}
+
+}  // namespace
+}  // namespace ravel::web
+
+int main(int count, char** words) {
+    int word = 1;
+    const bool timed = count > 1 && std::string_view(words[1]) == "--time";
+    word += timed;
+    for (; word + 1 < count; word += 2)
+        if (!ravel::web::dump(words[word], words[word + 1], timed)) return 1;
+    return 0;
+}
