@@ -35,7 +35,8 @@ struct Answer {
     std::vector<Bytes> more;
     Reply reply;
 };
-Answer answer;
+// Never destroyed: the module ends when the page drops it.
+Answer& answer = *new Answer;
 
 }  // namespace
 
