@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cfloat>
 #include <cstdint>
 #include <limits>
 
@@ -18,6 +19,8 @@ struct Grid {
 
 // A float32 beyond its range is infinite, as in IEEE 754.
 static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559);
+// Nothing is computed in a wider type than it is written in, as x87 would.
+static_assert(FLT_EVAL_METHOD == 0);
 
 inline double coordinate_of(const Grid& grid, std::size_t axis, std::int64_t q, Scalar scalar) {
     const double x = grid.origin[axis] + grid.step * static_cast<double>(q);
