@@ -35,7 +35,7 @@ int inspect_file(std::span<const std::byte> bytes, ravel_summary* out, ravel_err
 }
 
 ravel_decode_options default_options() {
-    return {sizeof(ravel_decode_options), 0, DecodeOptions{}.memory_limit};
+    return {sizeof(ravel_decode_options), 1, DecodeOptions{}.memory_limit};
 }
 
 ravel_buffers default_buffers() {
@@ -117,9 +117,11 @@ int ravel_decode(const void* bytes, size_t size, const ravel_decode_options* opt
     *mesh = nullptr;
     if (bytes == nullptr && size > 0) return null_bytes(error);
     return guarded(error, [&]() -> int {
-        DecodeOptions limits;
-        limits.memory_limit = known_fields(options, default_options()).memory_limit;
-        Result<Decoded> decoded = decode(bytes_of(bytes, size), limits);
+        const ravel_decode_options given = known_fields(options, default_options());
+        DecodeOptions wanted;
+        wanted.memory_limit = given.memory_limit;
+        wanted.steps = given.strip != 0;
+        Result<Decoded> decoded = decode(bytes_of(bytes, size), wanted);
         if (!decoded) return fail(error, decoded.error());
         *mesh = new ravel_mesh{std::move(decoded->mesh), std::move(decoded->steps)};
         return RAVEL_DONE;

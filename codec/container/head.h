@@ -43,7 +43,8 @@ struct BlockHead {
     Index uniform_degree = 0;  // 0: degrees differ
     Index companions = 0;
     Index components = 0;
-    Index links = 0;
+    Index links = 0;             // of the strip as the walk runs
+    bool wants_mending = false;  // they add more cells than the encoder was allowed
     bool has_border = true;
     bool has_flips = false;
     bool has_copies = false;

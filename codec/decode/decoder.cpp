@@ -10,6 +10,7 @@
 #include "decode/file.h"
 #include "decode/payload.h"
 #include "decode/walk_driver.h"
+#include "walk/read_strip.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
 
@@ -21,12 +22,13 @@ const Section& section_of(const FileSections& file, SectionId id) {
 }
 
 // The most a block's own arrays can take, from its head alone.
-std::uint64_t memory_of(const FileSections& file) {
+std::uint64_t memory_of(const FileSections& file, bool steps) {
     const BlockHead& b = file.block;
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
     // Of tets, 24 bytes are for a front that hostile vertices crowd (see TetFront).
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 88 : 52) + (order ? 16 : 0);
-    const std::uint64_t per_cell = order ? 128 : 80, per_vertex = order ? 312 : 264;
+    const std::uint64_t per_cell = (order ? 128 : 80) + (steps ? 112 : 0),
+                        per_vertex = order ? 352 : 304;
     return b.corners * per_corner + b.cells * per_cell +
            (b.vertices + b.unused_points) * per_vertex;
 }
@@ -79,7 +81,8 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
         }
     if (!sane || !in.ok())
         return Error{Code::corrupt, in.at(), "the head of the positions makes no sense"};
-    if (head.lossless && head.kind == CellKind::tet) {
+    format.has_stand_ins = head.lossless && head.kind == CellKind::tet;
+    if (format.has_stand_ins) {
         for (double& x : format.place_origin) x = in.f64();
         format.place_scale = in.f64();
         // Any numbers will do: places are clamped.
@@ -173,8 +176,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.mirrored = block.mirrored;
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
-    // A flag costs at least 1/1386 bit; a cell or a vertex asks for one at least, and a cell for
-    // one per corner but for two.
+    // A flag costs at least 1/1386 bit; a vertex asks for one at least.
     const std::uint64_t flags =
         (std::uint64_t{codes.size()} + position_bytes.size() + 16) * 8 * 1386;
     limits.plausible = static_cast<std::size_t>(std::min<std::uint64_t>(flags, PTRDIFF_MAX));
@@ -194,17 +196,15 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
                         tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies,
-                        block.has_flips, tets);
+                        block.has_flips);
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
 
     const auto starts =
         static_cast<Index>(std::count(out.walked.gate.begin(), out.walked.gate.end(), kNone));
-    const auto links =
-        static_cast<Index>(std::count(out.walked.by_link.begin(), out.walked.by_link.end(), 1));
-    if (starts != block.components || links != block.links)
-        return Error{Code::corrupt, at, "the strip has not as many parts as announced"};
+    if (starts != block.components)
+        return Error{Code::corrupt, at, "the walk has not as many parts as announced"};
     std::size_t own = 0;
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
@@ -260,7 +260,7 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     Result<FileSections> opened = open_file(bytes, budget);
     if (!opened) return opened.error();
     const FileSections& file = *opened;
-    const std::uint64_t need = memory_of(file);
+    const std::uint64_t need = memory_of(file, options.steps);
     if (need > budget)
         return Error{Code::limit_exceeded, section_of(file, SectionId::block).at,
                      "the mesh needs up to " + std::to_string(need) + " bytes; the limit is " +
@@ -272,6 +272,8 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     if (!positions) return positions.error();
 
     DecodedWalk out;
+    out.wants_mending = file.block.wants_mending;
+    out.links = file.block.links;
     if (Status status = decode_geometry(file, *codes, *positions, out); !status)
         return status.error();
     Mesh& mesh = out.mesh;
@@ -310,31 +312,49 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     return out;
 }
 
+namespace {
+
+// Facets as the mesh numbers them: a flipped cell's sides run backwards, its last corners are
+// swapped; a kept order turns cells too.
+std::uint32_t local_facet(const DecodedWalk& walk, Id facet) {
+    const Walked& walked = walk.walked;
+    const Id cell = walked.cell_of[facet], degree = walked.first[cell + 1] - walked.first[cell];
+    Id i = facet - walked.first[cell];
+    if (!walk.flipped.empty() && walk.flipped[cell])
+        i = walked.kind == CellKind::polygon ? degree - 1 - i : i < 2 ? i : 5 - i;
+    return walk.turn.empty() ? i : old_corner(walked.kind, walk.turn[cell], degree, i);
+}
+
+}  // namespace
+
+Result<std::vector<StripStep>> steps_of(const DecodedWalk& walk) {
+    const Walked& walked = walk.walked;
+    const StripReading strip = read_strip(walked);
+    if (strip.links != walk.links)
+        return Error{Code::corrupt, 0, "the strip has not as many links as announced"};
+    std::vector<StripStep> steps(walked.cell_count());
+    for (Id c = 0; c < walked.cell_count(); ++c) {
+        StripStep& step = steps[c];
+        step.cell = walk.cell[c];
+        if (walked.gate[c] == kNone) continue;
+        step.from = walk.cell[walked.cell_of[walked.gate[c]]];
+        step.exit = local_facet(walk, walked.gate[c]);
+        step.entry = local_facet(walk, walked.entry(c));
+        step.link = strip.link[c] != 0;
+    }
+    return steps;
+}
+
 Result<Decoded> decode(std::span<const std::byte> bytes, const DecodeOptions& options) {
     Result<DecodedWalk> walk = decode_walk(bytes, options);
     if (!walk) return walk.error();
     Decoded decoded;
     decoded.mesh = std::move(walk->mesh);
-    const Walked& walked = walk->walked;
-    // Facets as the mesh numbers them: a flipped cell's sides run backwards, its last corners are
-    // swapped; a kept order turns cells too.
-    const auto local = [&](Id facet) {
-        const Id cell = walked.cell_of[facet], degree = walked.first[cell + 1] - walked.first[cell];
-        Id i = facet - walked.first[cell];
-        if (!walk->flipped.empty() && walk->flipped[cell])
-            i = walked.kind == CellKind::polygon ? degree - 1 - i : i < 2 ? i : 5 - i;
-        return walk->turn.empty() ? i : old_corner(walked.kind, walk->turn[cell], degree, i);
-    };
-    decoded.steps.resize(walked.cell_count());
-    for (Id c = 0; c < walked.cell_count(); ++c) {
-        StripStep& step = decoded.steps[c];
-        step.cell = walk->cell[c];
-        if (walked.gate[c] == kNone) continue;
-        step.from = walk->cell[walked.cell_of[walked.gate[c]]];
-        step.exit = local(walked.gate[c]);
-        step.entry = local(walked.twin[walked.gate[c]]);
-        step.link = walked.by_link[c] != 0;
-    }
+    decoded.wants_mending = walk->wants_mending;
+    if (!options.steps) return decoded;
+    auto steps = steps_of(*walk);
+    if (!steps) return steps.error();
+    decoded.steps = std::move(*steps);
     return decoded;
 }
 

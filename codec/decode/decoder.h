@@ -8,14 +8,19 @@ namespace ravel {
 
 struct DecodedWalk {
     Mesh mesh;                          // as `decode` returns it
-    Walked walked;                      // cells in strip order, with twins, gates and links
-    std::vector<Id> point;              // vertex of the walk -> point in strip order
+    Walked walked;                      // cells in the order of the walk, with twins and gates
+    std::vector<Id> point;              // vertex of the walk -> point in the order of the walk
     std::vector<std::uint8_t> flipped;  // cell of the walk; empty where none is
     std::vector<Index> cell;            // cell of the walk -> cell of `mesh`
     std::vector<std::uint32_t>
         turn;  // cell of the walk -> see Reorder; empty unless the order is kept
+    bool wants_mending = false;
+    Index links = 0;  // as announced
 };
 
 Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options);
+
+// One per cell, in the order of the walk. Fails where the links are not as many as announced.
+Result<std::vector<StripStep>> steps_of(const DecodedWalk& walk);
 
 }  // namespace ravel

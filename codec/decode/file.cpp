@@ -23,8 +23,7 @@ Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std:
 }
 
 Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& budget) {
-    if (bytes.size() < kMagic.size() ||
-        !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
+    if (bytes.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
         return Error{Code::not_a_ravel_file, 0,
                      "this is not a ravel file (its first bytes are not \"Rav1\")"};
     ByteReader in(bytes);
@@ -97,6 +96,7 @@ Result<FileInfo> inspect(std::span<const std::byte> bytes) {
     info.companions = block.companions;
     info.components = block.components;
     info.links = block.links;
+    info.wants_mending = block.wants_mending;
     info.position_scalar = head.position_scalar;
     info.lossless_positions = head.lossless;
     info.keeps_order = head.keeps_order;

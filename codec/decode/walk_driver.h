@@ -26,8 +26,7 @@ class DecodeDriver {
   public:
     DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
                  const FlagDecoder& position_bits, Context contexts, Context copy,
-                 Context copy_number, Context flip, bool has_copies, bool has_flips,
-                 bool wants_places)
+                 Context copy_number, Context flip, bool has_copies, bool has_flips)
         : in_(codes),
           positions_(positions),
           position_bits_(position_bits),
@@ -37,7 +36,7 @@ class DecodeDriver {
           flip_(flip),
           has_copies_(has_copies),
           has_flips_(has_flips),
-          wants_places_(wants_places) {}
+          has_stand_ins_(positions.format().has_stand_ins) {}
 
     bool flag(Context context, bool) { return in_.flag(models_[context]); }
     std::uint64_t number(Context base, std::uint64_t) {
@@ -51,9 +50,12 @@ class DecodeDriver {
     void begin_cell(Id) {}
     void new_vertex(Id vertex, Id, const Stencil& stencil) {
         code_vertex(vertex, stencil);
-        if (wants_places_) places_.push_back(place_of_last(stencil));
+        if (has_stand_ins_)
+            places_.push_back(place_of(positions_.format(), positions_.values().back()));
     }
-    const Point3& place(Id vertex) const { return places_[vertex]; }
+    const Point3& place(Id vertex) const {
+        return has_stand_ins_ ? places_[vertex] : positions_.values()[vertex];
+    }
     void end_cell(Id) {
         if (!has_flips_) return;
         last_flip_ = flag(flip_ + last_flip_, false);
@@ -64,8 +66,6 @@ class DecodeDriver {
     const std::vector<Id>& copy_of() const { return copy_of_; }
     const std::vector<std::uint8_t>& flipped() const { return flipped_; }
 
-    bool links_through(Id) const { return false; }
-    bool leaves_through(Id) const { return false; }
     Id degree() const { return 0; }
     bool zips(Id) const { return false; }
     bool is_new(Id) const { return false; }
@@ -76,13 +76,6 @@ class DecodeDriver {
     bool border(Id) const { return false; }
 
   private:
-    Point3 place_of_last(const Stencil& stencil) const {
-        if (!copy_of_.empty() && copy_of_.back() != kNone) return places_[copy_of_.back()];
-        if (!positions_.outliers().empty() && positions_.outliers().back())
-            return stencil.at[0] == kNone ? Point3{} : places_[stencil.at[0]];
-        return place_of(positions_.format(), positions_.values().back());
-    }
-
     void code_vertex(Id vertex, const Stencil& stencil) {
         Id of = kNone;
         if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {
@@ -110,7 +103,7 @@ class DecodeDriver {
     const FlagDecoder& position_bits_;
     std::vector<FlagModel> models_;
     const Context copy_, copy_number_, flip_;
-    const bool has_copies_, has_flips_, wants_places_;
+    const bool has_copies_, has_flips_, has_stand_ins_;
     std::vector<Point3> places_;
     std::vector<Id> copy_of_;
     std::vector<std::uint8_t> flipped_;

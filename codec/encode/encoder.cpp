@@ -1,7 +1,6 @@
-// From a mesh to a file: complex, strip, walk, and the sections one after the other.
+// From a mesh to a file: complex, walk, and the sections one after the other.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include "container/head.h"
@@ -11,8 +10,7 @@
 #include "encode/walk_driver.h"
 #include "entropy/pack.h"
 #include "ravel/ravel.h"
-#include "strip/build.h"
-#include "strip/pockets.h"
+#include "walk/read_strip.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
 
@@ -133,46 +131,24 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
     block.grid_side = static_cast<Index>(side);
 }
 
-struct Wound {
-    Strip strip;
-    WalkRecord record;
-    Bytes codes;
-};
-
-// What a materialised strip may add, in percent of the cells, unless asked otherwise: what the
-// paper's strips add.
+// What the strip may add when it is read as the walk runs, in percent of the cells, unless asked
+// otherwise: what the paper's strips add.
 double budget_of(const Complex& complex, const EncodeOptions& options) {
     return options.strip_budget.value_or(complex.kind == CellKind::tet ? 12 : 2.5);
 }
 
-// Of the strips within the budget the one whose codes are smallest. The repaired one always counts.
-// On surfaces the decoder's own walks compete, with their pockets linked or merged: they turn as
-// expected, but split cells. (Tets leave so many pockets that links cost more than turns.)
-template <class Wind>
-Wound choose_strip(const Complex& complex, const EncodeOptions& options, const Wind& wind) {
-    constexpr Id kLarge = 200000;  // cells from which one good candidate is enough
-    std::optional<Wound> best;
-    const auto consider = [&](Strip strip) {
-        Wound wound{std::move(strip), {}, {}};
-        wound.record = wind(wound.strip);
-        wound.codes = wound.record.codes.finish();
-        if (!best || wound.codes.size() < best->codes.size()) best = std::move(wound);
-    };
-    const auto consider_if_cheap = [&](Strip strip) {
-        const double added = static_cast<double>(added_cells(complex, strip));
-        if (100 * added <= budget_of(complex, options) * complex.cell_count())
-            consider(std::move(strip));
-    };
-    const bool large = complex.cell_count() >= kLarge;
-    if (options.method == FactorMethod::steered && complex.kind == CellKind::polygon)
-        for (const Id look_ahead : {Id{2}, Id{0}}) {
-            if (large && best) break;
-            const Steered walk = steer(complex, {look_ahead});
-            consider_if_cheap(link_pockets(complex, walk));
-            if (!large || !best) consider_if_cheap(merge_pockets(complex, walk));
-        }
-    if (!large || !best) consider(build_strip(complex, options.method));
-    return std::move(*best);
+struct Course {
+    WalkRecord record;
+    Walked walked;
+};
+
+template <class Walk, class Driver>
+Course walk_by(const Complex& complex, const WalkPlan& plan, const WalkLimits& limits,
+               const BlockHead& block) {
+    Driver driver(complex, plan, block.has_copies, block.has_flips);
+    Walk walk(driver, limits);
+    walk.run();
+    return {driver.take(), walk.take()};
 }
 
 Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& options) {
@@ -226,34 +202,29 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     block.has_copies = block.points != block.vertices;
     block.unused_points = mesh.point_count() - block.points;
     block.companions = mesh.companions.size();
-    std::vector<Point3> places;
+    WalkPlan walk_plan{choose_seeds(complex), plan_places(mesh, *plan),
+                       place_of(plan->format, Point3{}), plan->outlier};
     if (mesh.kind == CellKind::tet) {
-        places = plan_places(mesh, *plan);
-        choose_grid(complex, places, block);
+        choose_grid(complex, walk_plan.places, block);
         limits.grid_side = static_cast<double>(block.grid_side);
         limits.grid_count = block.grid_count;
         limits.mirrored = block.mirrored;
     }
-    const Wound wound = choose_strip(complex, options, [&](const Strip& strip) {
-        if (mesh.kind == CellKind::tet) {
-            TetEncodeDriver driver(complex, strip, places, plan->outlier, block.has_copies,
-                                   block.has_flips);
-            TetWalk<TetEncodeDriver>(driver, limits).run();
-            return driver.take();
-        }
-        SurfaceEncodeDriver driver(complex, strip, static_cast<Id>(mesh.point_count()),
-                                   block.has_copies, block.has_flips);
-        SurfaceWalk<SurfaceEncodeDriver>(driver, limits).run();
-        return driver.take();
-    });
-    const Strip& strip = wound.strip;
-    const WalkRecord& record = wound.record;
-    block.components = strip.roots.size();
-    block.links = strip.counts.links;
+    const Course course =
+        mesh.kind == CellKind::tet
+            ? walk_by<TetWalk<TetEncodeDriver>, TetEncodeDriver>(complex, walk_plan, limits, block)
+            : walk_by<SurfaceWalk<SurfaceEncodeDriver>, SurfaceEncodeDriver>(complex, walk_plan,
+                                                                             limits, block);
+    const WalkRecord& record = course.record;
+    const StripReading strip = read_strip(course.walked);
+    block.components = walk_plan.seeds.size();
+    block.links = strip.links;
+    block.wants_mending = 100 * static_cast<double>(strip.added_cells) >
+                          budget_of(complex, options) * static_cast<double>(block.cells);
 
     const Reorder order = reorder_of(mesh, complex, record);
     Encoded encoded;
-    encoded.strip = strip.counts;
+    encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
     encoded.position_bound = plan->bound;
     encoded.position_error = plan->error;
     if (options.keep_order) {
@@ -278,7 +249,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     };
     section(SectionId::head, write_head(head_of(mesh, *plan, options)));
     section(SectionId::block, write_block_head(block, mesh.kind));
-    section(SectionId::connectivity, wound.codes);
+    section(SectionId::connectivity, record.codes.finish());
     const std::vector<Index> unused(
         order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
     section(SectionId::positions, write_positions(*plan, complex, record, unused));

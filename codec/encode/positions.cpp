@@ -206,15 +206,15 @@ std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
         }
         any = true;
     }
-    if (plan.format.grid()) return places;
+    plan.format.has_stand_ins = mesh.kind == CellKind::tet && !plan.format.grid();
+    if (!plan.format.has_stand_ins) return places;
     double longest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
         longest = std::max(longest, high[axis] - low[axis]);
     plan.format.place_origin = low;
     const double scale = 0x1p16 / longest;
     plan.format.place_scale = std::isfinite(scale) && scale > 0 ? scale : 1;
-    for (std::size_t p = 0; p < points; ++p)
-        if (plan.outlier.empty() || !plan.outlier[p]) places[p] = place_of(plan.format, places[p]);
+    for (Point3& place : places) place = place_of(plan.format, place);
     return places;
 }
 
@@ -264,7 +264,7 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
-    if (!format.grid() && complex.kind == CellKind::tet) {
+    if (format.has_stand_ins) {
         for (const double x : format.place_origin) out.f64(x);
         out.f64(format.place_scale);
     }

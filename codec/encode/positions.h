@@ -21,8 +21,8 @@ struct PositionPlan {
 // grid can't bring within max_error, are outliers. Error: a grid finer than can be held.
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
 
-// Tets: places of all points, as the walk will see them; for lossless positions this chooses the
-// integers that stand for the floats.
+// Places of all points, as the walk will see them; for lossless tets this chooses the integers that
+// stand for the floats.
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);
 
 // `unused`: unused points, in the order they are appended.

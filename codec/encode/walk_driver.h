@@ -5,10 +5,10 @@
 #include <bit>
 #include <vector>
 
+#include "encode/seeds.h"
 #include "entropy/flag_encoder.h"
 #include "mesh/complex.h"
 #include "mesh/point3.h"
-#include "strip/strip.h"
 #include "walk/tet_front.h"
 #include "walk/walk.h"
 
@@ -24,12 +24,20 @@ struct WalkRecord {
     FlagEncoder codes;
 };
 
+// What the walk is to follow: where it starts in each component, and where the points are.
+struct WalkPlan {
+    std::vector<Seed> seeds;     // one per component
+    std::vector<Point3> places;  // per point of the mesh, as the decoder will see it
+    Point3 unknown_place{};      // of an outlier without neighbours
+    std::vector<bool> outlier;   // per point; empty where there are none
+};
+
 class EncodeDriver {
   public:
-    EncodeDriver(const Complex& complex, const Strip& strip, Id points, Context contexts,
-                 Context copy, Context copy_number, Context flip, bool has_copies, bool has_flips)
+    EncodeDriver(const Complex& complex, const WalkPlan& plan, Context contexts, Context copy,
+                 Context copy_number, Context flip, bool has_copies, bool has_flips)
         : complex_(complex),
-          strip_(strip),
+          plan_(plan),
           models_(contexts),
           copy_(copy),
           copy_number_(copy_number),
@@ -38,11 +46,12 @@ class EncodeDriver {
           has_flips_(has_flips),
           walk_vertex_(complex.point.size(), kNone),
           walk_facet_(complex.twin.size(), kNone) {
-        if (has_copies_) first_at_point_.assign(points, kNone);
+        if (has_copies_) first_at_point_.assign(plan.places.size(), kNone);
         record_.facet_of.reserve(complex.twin.size());
         record_.stencils.reserve(complex.point.size());
         record_.vertex_of.reserve(complex.point.size());
         record_.copy_of.reserve(complex.point.size());
+        places_.reserve(complex.point.size());
     }
 
     bool flag(Context context, bool truth) {
@@ -57,23 +66,23 @@ class EncodeDriver {
         return truth;
     }
     bool failed() const { return false; }
+    const Point3& place(Id vertex) const { return places_[vertex]; }
 
     void new_vertex(Id vertex, Id corner, const Stencil& stencil) {
-        const Id source = complex_.vertex[corner_at(corner)];
+        const Id source = complex_.vertex[corner_at(corner)], point = complex_.point[source];
         walk_vertex_[source] = vertex;
         record_.vertex_of.push_back(source);
         record_.stencils.push_back(stencil);
-        record_.copy_of.push_back(kNone);
-        if (!has_copies_) return;
-        Id& first = first_at_point_[complex_.point[source]];
-        const bool is_copy = flag(copy_ + last_was_copy_, first != kNone);
-        last_was_copy_ = is_copy;
-        if (is_copy) {
-            number(copy_number_, zigzag(std::int64_t{first} - last_copied_));
-            last_copied_ = record_.copy_of.back() = first;
-        } else {
-            first = vertex;
-        }
+        const Id of = has_copies_ ? code_copy(vertex, point) : kNone;
+        record_.copy_of.push_back(of);
+        // The decoder does not know an outlier's place and lets its first neighbour stand in.
+        if (of != kNone)
+            places_.push_back(places_[of]);
+        else if (!plan_.outlier.empty() && plan_.outlier[point])
+            places_.push_back(stencil.at[0] != kNone ? places_[stencil.at[0]]
+                                                     : plan_.unknown_place);
+        else
+            places_.push_back(plan_.places[point]);
     }
 
     void end_cell(Id) {
@@ -89,18 +98,15 @@ class EncodeDriver {
         record_.cell_of.push_back(cell_);
     }
 
-    bool links_through(Id facet) const { return role(facet) == FacetRole::link; }
-    bool leaves_through(Id facet) const { return role(facet) == FacetRole::strip; }
-
     WalkRecord take() { return std::move(record_); }
 
   protected:
-    FacetRole role(Id walk_facet) const { return strip_.role[record_.facet_of[walk_facet]]; }
     Id corner_at(Id local) const { return corners_[local]; }
     bool visited(Id facet) const { return facet != kNone && walk_facet_[facet] != kNone; }
+    const Seed& next_seed() { return plan_.seeds[next_seed_++]; }
 
     const Complex& complex_;
-    const Strip& strip_;
+    const WalkPlan& plan_;
     std::vector<FlagModel> models_;
     const Context copy_, copy_number_, flip_;
     const bool has_copies_, has_flips_;
@@ -109,24 +115,44 @@ class EncodeDriver {
     std::vector<Id> first_at_point_;  // point -> first walk vertex there
     std::vector<Id> corners_;         // of the cell being entered, in the walk's order
     Id cell_ = 0;                     // being entered, of the complex
+    std::vector<Point3> places_;      // per vertex of the walk
     WalkRecord record_;
-    std::size_t next_root_ = 0;
+
+  private:
+    // The earlier vertex at the same point, or kNone.
+    Id code_copy(Id vertex, Id point) {
+        Id& first = first_at_point_[point];
+        last_was_copy_ = flag(copy_ + last_was_copy_, first != kNone);
+        if (last_was_copy_) {
+            number(copy_number_, zigzag(std::int64_t{first} - last_copied_));
+            return last_copied_ = first;
+        }
+        first = vertex;
+        return kNone;
+    }
+
+    std::size_t next_seed_ = 0;
     Id last_copied_ = 0;
     bool last_was_copy_ = false, last_flip_ = false;
 };
 
 class SurfaceEncodeDriver : public EncodeDriver {
   public:
-    SurfaceEncodeDriver(const Complex& complex, const Strip& strip, Id points, bool copies,
-                        bool flips)
-        : EncodeDriver(complex, strip, points, surface::kContexts, surface::kCopy.base,
+    SurfaceEncodeDriver(const Complex& complex, const WalkPlan& plan, bool copies, bool flips)
+        : EncodeDriver(complex, plan, surface::kContexts, surface::kCopy.base,
                        surface::kCopyOf.base, surface::kFlip.base, copies, flips) {}
 
     void begin_cell(Id gate) {
-        Id f = gate == kNone ? complex_.first[strip_.roots[next_root_++]]
-                             : complex_.twin[record_.facet_of[gate]];
-        cell_ = gate == kNone ? strip_.roots[next_root_ - 1] : complex_.cell_of[f];
+        Seed start;
+        if (gate == kNone) {
+            start = next_seed();
+        } else {
+            start.facet = complex_.twin[record_.facet_of[gate]];
+            start.cell = complex_.cell_of[start.facet];
+        }
+        cell_ = start.cell;
         corners_.clear();
+        Id f = start.facet;
         for (Id i = 0; i < complex_.degree(cell_); ++i, f = complex_.next_in_cell(f))
             corners_.push_back(f);
     }
@@ -157,34 +183,17 @@ class SurfaceEncodeDriver : public EncodeDriver {
 
 class TetEncodeDriver : public EncodeDriver {
   public:
-    // `places` and `outlier` are per point of the mesh; `outlier` is empty where there are none.
-    TetEncodeDriver(const Complex& complex, const Strip& strip, const std::vector<Point3>& places,
-                    const std::vector<bool>& outlier, bool copies, bool flips)
-        : EncodeDriver(complex, strip, static_cast<Id>(places.size()), tet::kContexts,
-                       tet::kCopy.base, tet::kCopyOf.base, tet::kFlip.base, copies, flips),
-          point_places_(places),
-          outlier_(outlier) {
-        places_.reserve(complex.point.size());
-    }
-
-    void new_vertex(Id vertex, Id corner, const Stencil& stencil) {
-        EncodeDriver::new_vertex(vertex, corner, stencil);
-        const Id point = complex_.point[record_.vertex_of.back()];
-        // The decoder does not know an outlier's place and lets its first neighbour stand in.
-        if (!outlier_.empty() && outlier_[point] && record_.copy_of.back() == kNone)
-            places_.push_back(stencil.at[0] != kNone ? places_[stencil.at[0]] : Point3{});
-        else if (record_.copy_of.back() != kNone)
-            places_.push_back(places_[record_.copy_of.back()]);
-        else
-            places_.push_back(point_places_[point]);
-    }
-    const Point3& place(Id vertex) const { return places_[vertex]; }
+    TetEncodeDriver(const Complex& complex, const WalkPlan& plan, bool copies, bool flips)
+        : EncodeDriver(complex, plan, tet::kContexts, tet::kCopy.base, tet::kCopyOf.base,
+                       tet::kFlip.base, copies, flips) {}
 
     void begin_cell(Id gate) {
         if (gate == kNone) {
-            cell_ = strip_.roots[next_root_++];
-            const Id base = 4 * cell_;
-            corners_ = {base, base + 1, base + 2, base + 3};
+            const Seed& seed = next_seed();
+            const Id base = 4 * seed.cell;
+            const auto& triple = kOutward[seed.facet & 3];
+            cell_ = seed.cell;
+            corners_ = {base + triple[0], base + triple[2], base + triple[1], seed.facet};
             return;
         }
         const Id entry = complex_.twin[record_.facet_of[gate]], base = entry & ~Id{3};
@@ -202,11 +211,6 @@ class TetEncodeDriver : public EncodeDriver {
     Id apex() const { return walk_vertex_[complex_.vertex[corners_[3]]]; }
     bool glues(Id facet) const { return visited(complex_.twin[corners_[facet & 3]]); }
     bool border(Id facet) const { return complex_.twin[corners_[facet & 3]] == kNone; }
-
-  private:
-    const std::vector<Point3>& point_places_;
-    const std::vector<bool>& outlier_;
-    std::vector<Point3> places_;  // per vertex of the walk
 };
 
 }  // namespace ravel

@@ -8,6 +8,7 @@
 // runs are [Golomb1966] codes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -43,33 +44,47 @@ struct ClassTable {
 inline constexpr ClassTable kClassTable;
 }  // namespace detail
 
-// chance: of "yes", in 1/65536. The step of adaptation is 1 / (seen + 1.5) until it reaches 1/128:
-// fast at first, then a window over the recent past.
+// Two estimates of the chance of "yes" learn at once: `fast` follows the last twenty flags, `slow`
+// the last five hundred; their mean is what counts. Either's step of adaptation is 1 / (seen + 1.3)
+// until it reaches its own. 22 bits keep rare misses apart where steps are small.
 class FlagModel {
   public:
-    bool likely() const { return chance_ >= 32768; }
+    FlagModel() = default;
+    // As if `seen` flags had come already, of which `chance` / 65536 said yes.
+    constexpr FlagModel(std::uint16_t chance, std::uint16_t seen)
+        : fast_(std::uint32_t{chance} << 6), slow_(fast_), seen_(seen) {}
+
+    bool likely() const { return chance() >= 32768; }
     int flag_class() const {
-        const unsigned miss = likely() ? 65536u - chance_ : chance_;
+        const unsigned c = chance(), miss = c >= 32768 ? 65536u - c : c;
         return miss < 512 ? detail::kClassTable.fine[miss] : detail::kClassTable.coarse[miss >> 8];
     }
     void update(bool yes) {
+        const std::uint32_t goal = yes ? kCertain : 0;
         const std::uint32_t rate = kRate[seen_];
-        if (yes)
-            chance_ += ((65535u - chance_) * rate) >> 16;
-        else
-            chance_ -= (chance_ * rate) >> 16;
-        if (seen_ + 1u < kRate.size()) ++seen_;
+        slow_ += step(goal, slow_, rate);
+        fast_ += step(goal, fast_, std::max(rate, kFastRate));
+        seen_ += seen_ + 1u < kRate.size();
     }
 
   private:
-    static constexpr std::array<std::uint16_t, 127> kRate = [] {
-        std::array<std::uint16_t, 127> rate{};
+    static constexpr std::uint32_t kCertain = (1u << 22) - 1;
+    static constexpr std::uint32_t kFastRate = 65536 / 20;
+    static constexpr std::array<std::uint16_t, 511> kRate = [] {
+        std::array<std::uint16_t, 511> rate{};
         for (unsigned i = 0; i < rate.size(); ++i)
-            rate[i] = static_cast<std::uint16_t>(65536u * 2 / (2 * i + 3));
+            rate[i] = static_cast<std::uint16_t>(655360u / (10 * i + 13));
         return rate;
     }();
 
-    std::uint32_t chance_ = 32768;
+    // (goal - now) * rate / 65536, rounded down; as a number to add modulo 2^32.
+    static std::uint32_t step(std::uint32_t goal, std::uint32_t now, std::uint32_t rate) {
+        const std::int64_t way = static_cast<std::int64_t>(goal) - static_cast<std::int64_t>(now);
+        return static_cast<std::uint32_t>(way * static_cast<std::int64_t>(rate) >> 16);
+    }
+    unsigned chance() const { return (fast_ + slow_) >> 7; }  // in 1/65536
+
+    std::uint32_t fast_ = kCertain / 2 + 1, slow_ = kCertain / 2 + 1;
     std::uint32_t seen_ = 0;
 };
 

@@ -32,7 +32,8 @@ struct PositionFormat {
     bool has_follows = false;  // parts repeat: see follows.h
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
-    // Lossless tets: the integers that stand for the numbers where the walk asks for places.
+    // Lossless tets: integers that stand for the numbers where the walk asks for places.
+    bool has_stand_ins = false;
     Point3 place_origin{};
     double place_scale = 1;
 
@@ -42,9 +43,10 @@ struct PositionFormat {
 // What is to be coded of a vertex; an outlier has the bits of its floats in `rest`.
 using Position = std::array<Number, 3>;
 
-// Where a vertex is, in integers: the grid's, or the nearest of 2^20 + 1 steps along each axis.
+// Where the walk takes a vertex to be: its coordinates in units, or the nearest of 2^20 + 1 steps
+// along each axis.
 inline Point3 place_of(const PositionFormat& format, const Point3& value) {
-    if (format.grid()) return value;
+    if (!format.has_stand_ins) return value;
     Point3 place;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double scaled = (value[axis] - format.place_origin[axis]) * format.place_scale;

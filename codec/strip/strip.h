@@ -1,14 +1,25 @@
-// The single strip over each component, as the codec stores it: which facets it runs through and
-// where it makes excursions.
+// The single strip over each component: which facets it runs through and where it makes excursions.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "mesh/complex.h"
-#include "ravel/ravel.h"
 
 namespace ravel {
+
+enum class FactorMethod : std::uint8_t { steered, euler, two_pass, template_substitution };
+
+struct StripCounts {
+    Index components = 0;  // facet-connected
+    Index cycles = 0;      // of the 2-factor, before merging
+    Index paths = 0;       // of the 2-factor with two cells or more
+    Index singletons = 0;  // of the 2-factor
+    Index fan_merges = 0;
+    Index links = 0;
+    Index strips = 0;       // always == components
+    Index open_strips = 0;  // of those, the ones that do not close
+};
 
 enum class FacetRole : std::uint8_t { none, strip, link };
 

@@ -9,15 +9,16 @@
 //
 // Truths of the driver (about the cell being entered; side and corner numbers count from its
 // entry):
-//     Id degree()                       bool zips(Id side)         is the cell across already
-//     visited? bool is_new(Id corner)            bool border(Id side)       is there no cell
-//     across? Id gap(Id corner, bool& arrives)  a front facet of the corner's gap: that leaves it,
-//     or arrives at it bool links_through(Id facet)      bool leaves_through(Id facet)      (of the
-//     cell being left)
+//     Id degree()
+//     bool zips(Id side)                is the cell across already visited?
+//     bool is_new(Id corner)
+//     bool border(Id side)              is there no cell across?
+//     Id gap(Id corner, bool& arrives)  a front facet of the corner's gap: that leaves it, or
+//                                       arrives at it
 #pragma once
 
+#include "walk/angle.h"
 #include "walk/walk.h"
-#include "walk/wind.h"
 
 namespace ravel {
 
@@ -36,7 +37,7 @@ class SurfaceWalk {
     // False: the answers contradict each other or the limits (only a decoder can see this).
     bool run() {
         while (walked_.cell_count() < limits_.cells) {
-            if (!visit(kNone, false) || !wind_component()) return false;
+            if (!visit(kNone) || !wind_component()) return false;
         }
         return walked_.vertex.size() == limits_.corners && walked_.vertex_count == limits_.vertices;
     }
@@ -53,60 +54,26 @@ class SurfaceWalk {
     std::uint32_t seen(Id vertex) const { return corners_[vertex]; }
 
     bool wind_component() {
-        const auto leave = [&](Id cell, bool returned, bool& link, Id& out) {
-            out = choose_exit(cell, returned, link);
-            return !driver_.failed();
-        };
-        const auto enter = [&](Id out, bool link, Id& cell) {
-            cell = walked_.cell_count();
-            return visit(out, link);
-        };
-        return wind(walked_.cell_count() - 1, pending_, leave, enter);
+        return wind(
+            walked_, [&](Id cell) { return choose_exit(cell); },
+            [&](Id out) { return visit(out); });
     }
 
-    // Sides clockwise from the entry: leftmost first, so that a strip hugs what it has visited.
-    Id choose_exit(Id cell, bool returned, bool& link) {
-        const Id base = walked_.first[cell], end = walked_.first[cell + 1];
-        exits_.clear();
-        for (Id f = end; f-- > base;)
-            if (state_[f] == open) exits_.push_back(f);
-        if (exits_.empty()) return kNone;
-        const auto count = static_cast<std::uint32_t>(exits_.size());
-        bool any_link = false;
-        for (const Id f : exits_) any_link = any_link || driver_.links_through(f);
-        link = driver_.flag(surface::kLink.at(returned, count - 1), any_link);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Id f = exits_[i];
-            if (link && i + 1 == count) return f;
-            const bool truth = link ? driver_.links_through(f) : driver_.leaves_through(f);
-            if (driver_.flag(surface::kExit.at(std::min(i, 2u) + 3 * turns_, count - i - 1,
-                                               seen(start_of(f)) - 1, seen(end_of(f)) - 1),
-                             truth)) {
-                if (count > 1) remember_turn(i, count);
-                return f;
-            }
-        }
+    // Rightmost first, so that the walk hugs what it has visited.
+    Id choose_exit(Id cell) const {
+        for (Id f = walked_.first[cell]; f < walked_.first[cell + 1]; ++f)
+            if (state_[f] == open) return f;
         return kNone;
-    }
-
-    // The last two turns that were a choice: leftmost, rightmost or between. A repaired strip runs
-    // along many of its paths backwards and hugs with the other hand there. Small meshes look at
-    // one turn only.
-    void remember_turn(std::uint32_t i, std::uint32_t count) {
-        constexpr Id kSmall = 2000;
-        const std::uint32_t turn = i == 0 ? 0 : i + 1 == count ? 1 : 2;
-        turns_ = limits_.cells < kSmall ? turn : 3 * (turns_ % 3) + turn;
     }
 
     Id code_degree(Id gate) {
         if (limits_.uniform_degree != 0) return limits_.uniform_degree;
         const Id truth = driver_.degree();
-        const Id last = walked_.cell_count() == 0 ? 4 : degree_at(walked_.cell_count() - 1);
-        const Id across = gate == kNone ? last : degree_at(walked_.cell_of[gate]);
+        const std::uint32_t across = gate == kNone ? 0 : coarse(degree_at(walked_.cell_of[gate]));
+        const std::uint32_t angles = gate == kNone ? 25 : gate_angles(gate);
         static constexpr Id kUsual[6] = {4, 3, 5, 6, 7, 8};
         for (std::uint32_t i = 0; i < 6; ++i)
-            if (driver_.flag(surface::kDegree.at(coarse(last), coarse(across), i),
-                             truth == kUsual[i]))
+            if (driver_.flag(surface::kDegree.at(across, angles, i), truth == kUsual[i]))
                 return kUsual[i];
         const std::uint64_t rest =
             driver_.number(surface::kDegreeRest.base, truth <= 2 ? truth : truth - 6);
@@ -119,7 +86,26 @@ class SurfaceWalk {
         return degree == 4 ? 0 : degree == 3 ? 1 : degree == 5 ? 2 : 3;
     }
 
-    bool visit(Id gate, bool link) {
+    // How open the front is at both ends of the gate.
+    std::uint32_t gate_angles(Id gate) const {
+        const Id after = next_[gate], before = prev_[gate];
+        const auto coarse_angle = [](std::uint32_t c) {
+            return c <= 2 ? c == 0 ? 3u : 0u : c == 3 ? 1u : c == 4 ? 2u : 3u;
+        };
+        const std::uint32_t a =
+            state_[after] == open ? coarse_angle(angle(end_of(gate), start_of(gate), end_of(after)))
+                                  : 4;
+        const std::uint32_t b =
+            state_[before] == open
+                ? coarse_angle(angle(start_of(gate), end_of(gate), start_of(before)))
+                : 4;
+        return 5 * a + b;
+    }
+    std::uint32_t angle(Id vertex, Id from, Id to) const {
+        return angle_class(driver_.place(vertex), driver_.place(from), driver_.place(to));
+    }
+
+    bool visit(Id gate) {
         if (walked_.cell_count() >= limits_.cells) return false;
         driver_.begin_cell(gate);
         const Id degree = code_degree(gate);
@@ -128,7 +114,6 @@ class SurfaceWalk {
         const Id cell = walked_.cell_count();
         walked_.first.push_back(base + degree);
         walked_.gate.push_back(gate);
-        walked_.by_link.push_back(link);
         walked_.cell_of.resize(base + degree, cell);
         walked_.vertex.resize(base + degree, kNone);
         walked_.twin.resize(base + degree, kNone);
@@ -212,7 +197,6 @@ class SurfaceWalk {
         const std::uint32_t dc = degree_class(n);
         vertex[base] = start_of(gate);
         vertex[base + 1] = end_of(gate);
-        const std::uint32_t seen_a = seen(vertex[base]), seen_b = seen(vertex[base + 1]);
         Id after = next_[gate],
            before = prev_[gate];  // of the gaps at both ends of the zipped chain
         zip(base, gate);
@@ -222,9 +206,9 @@ class SurfaceWalk {
         while (right_end < n && state_[after] == open) {
             const bool closes = next_[after] == gate;
             if (closes != (right_end + 1 == n)) break;
-            const std::uint32_t other = right_end == 1 ? seen_a : seen_b;
             const Id v = vertex[base + right_end];
-            if (!driver_.flag(surface::kZipRight.at(dc, seen(v) - 1, other - 1, right_end == 1),
+            const std::uint32_t opening = angle(v, vertex[base + right_end - 1], end_of(after));
+            if (!driver_.flag(surface::kZipRight.at(dc, seen(v) - 1, opening, right_end == 1),
                               driver_.zips(right_end)))
                 break;
             zip(base + right_end, after);
@@ -238,8 +222,11 @@ class SurfaceWalk {
         Id left_end = n;
         while (left_end > right_end + 1 && state_[before] == open) {
             const Id v = vertex[left_end == n ? base : base + left_end];
-            const std::uint32_t other = right_end == 1 ? seen_b - 1 : 4;
-            if (!driver_.flag(surface::kZipLeft.at(dc, seen(v) - 1, other, left_end == n),
+            const Id next = vertex[left_end == n       ? base + 1
+                                   : left_end + 1 == n ? base
+                                                       : base + left_end + 1];
+            const std::uint32_t opening = angle(v, next, start_of(before));
+            if (!driver_.flag(surface::kZipLeft.at(dc, seen(v) - 1, opening, left_end == n),
                               driver_.zips(left_end - 1)))
                 break;
             --left_end;
@@ -410,10 +397,8 @@ class SurfaceWalk {
     std::vector<std::uint8_t> state_;      // per facet
     std::vector<std::uint8_t> corners_;    // per vertex: visited corners, at most 255
     std::vector<std::uint8_t> on_border_;  // per vertex
-    std::vector<Id> pending_;              // cells to come back to after an excursion
-    std::vector<Id> exits_, gaps_, arrive_;
+    std::vector<Id> gaps_, arrive_;
     std::vector<std::uint8_t> fresh_, zipped_;
-    std::uint32_t turns_ = 0;
     bool near_border_start_ = false, near_border_end_ = false;
 };
 

@@ -1,9 +1,10 @@
 // The front of a walk over tets: a closed surface of triangles, the facets of visited tets that
-// lead to unvisited ones, and the borders met so far. Facet f has the edge slots 3f, 3f+1, 3f+2;
-// slot e is the edge opposite the e-th vertex of the facet's outward triple. Slots of neighbouring
-// facets are mates; `fan` counts the visited tets between two mates. A hash finds an open facet by
-// its vertices; those that crowd into one place of it go to a tree, so that no choice of vertices
-// makes a step dearer than O(log facets).
+// lead to unvisited ones, and the borders met so far. Edge e of a triangle lies opposite its vertex
+// e; edges of neighbouring triangles are mates, and `fan` counts the visited tets between two
+// mates. A hash finds an open triangle by its vertices; those that crowd into one place of it go to
+// a tree, so that no choice of vertices makes a step dearer than O(log triangles).
+//
+// Triangles that leave the front make room for new ones: what the walk touches stays small.
 #pragma once
 
 #include <array>
@@ -16,107 +17,112 @@
 namespace ravel {
 
 // Local corners of the facet opposite each corner, outward: the boundary of an oriented simplex.
+// The apex of a tet (corner 3) is the last one of the facets it is in.
 inline constexpr std::array<std::array<Id, 3>, 4> kOutward{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}}};
 
 class TetFront {
   public:
-    explicit TetFront(const std::vector<Id>& vertex) : vertex_(vertex) {}
+    struct Triangle {
+        std::array<Id, 3> vertex{};  // outward
+        std::array<Id, 3> mate{};    // 4 * triangle + edge
+        std::array<std::uint8_t, 3> fan{};
+        bool border = false;
+        Id facet = kNone;  // of the walk
+    };
 
-    void reserve(std::size_t facets) {
-        mate_.reserve(3 * facets);
-        fan_.reserve(3 * facets);
+    const Triangle& operator[](Id triangle) const { return triangles_[triangle]; }
+    void set_border(Id triangle) { triangles_[triangle].border = true; }
+
+    const Triangle& across(const Triangle& t, Id edge) const {
+        return triangles_[t.mate[edge] >> 2];
+    }
+    // The apex across an edge: the vertex of the neighbour that is not on it.
+    Id apex_across(const Triangle& t, Id edge) const {
+        const Id mate = t.mate[edge];
+        return triangles_[mate >> 2].vertex[mate & 3];
     }
 
-    Id corner_of_slot(
-        Id slot) const {  // the corner (in its cell) the slot's edge lies opposite, in the facet
-        const Id facet = slot / 3;
-        return (facet & ~Id{3}) + kOutward[facet & 3][slot % 3];
-    }
-    Id vertex_of_slot(Id slot) const { return vertex_[corner_of_slot(slot)]; }
-    // The apex across the slot's edge: the vertex of the mate facet that is not on the edge.
-    Id apex_across(Id slot) const { return vertex_of_slot(mate_[slot]); }
-    Id mate(Id slot) const { return mate_[slot]; }
-    unsigned fan(Id slot) const { return fan_[slot]; }
-
-    // Slots of facets of one tet that share an edge: facet a's slot opposite corner b.
-    static Id slot_between(Id base, Id a, Id b) {
-        const auto& triple = kOutward[a];
-        const Id e = triple[0] == b ? 0 : triple[1] == b ? 1 : 2;
-        return 3 * (base + a) + e;
+    // The four facets of a first tet; its facet i becomes result[i].
+    std::array<Id, 4> add_seed(const std::array<Id, 4>& corner, Id facet) {
+        std::array<Id, 4> made;
+        for (Id i = 0; i < 4; ++i)
+            made[i] = add({corner[kOutward[i][0]], corner[kOutward[i][1]], corner[kOutward[i][2]]},
+                          facet + i);
+        join_sides({made[0], made[1], made[2]});
+        // Edge e of facet 3 = (0 2 1) lies opposite corner 0, 2, 1.
+        static constexpr std::array<Id, 3> kSide{0, 2, 1};
+        for (Id e = 0; e < 3; ++e) pair(slot(made[3], e), slot(made[kSide[e]], 2), 1);
+        return made;
     }
 
-    void add_seed(Id base) {
-        grow(base);
-        for (Id a = 0; a < 4; ++a)
-            for (Id b = 0; b < a; ++b) pair(slot_between(base, a, b), slot_between(base, b, a), 1);
-    }
-
-    // Replaces front facet `gate` by facets 0, 1, 2 of the tet at `base`, whose corners 0, 1, 2 are
-    // the gate's outward triple.
-    void add_tet(Id base, Id gate) {
-        grow(base);
-        std::array<Id, 3> across;
-        std::array<unsigned, 3> fans;
+    // Replaces `gate` by the facets 0, 1, 2 of the tet entered through it: its corners 0, 1, 2 are
+    // the gate's vertices, corner 3 is the apex.
+    std::array<Id, 3> add_tet(Id gate, Id apex, Id facet) {
+        const Triangle old = triangles_[gate];
+        release(gate);
+        const auto& v = old.vertex;
+        const std::array<Id, 3> made{add({v[1], v[2], apex}, facet),
+                                     add({v[2], v[0], apex}, facet + 1),
+                                     add({v[0], v[1], apex}, facet + 2)};
         for (Id k = 0; k < 3; ++k) {
-            across[k] = mate_[3 * gate + k];
-            fans[k] = fan_[3 * gate + k];
-        }
-        for (Id k = 0; k < 3; ++k) {
-            const Id mine = slot_between(base, k, 3);
-            Id other = across[k];
-            unsigned tets = fans[k] + 1;
-            if (other / 3 == gate) {  // the gate is its own neighbour
-                other = slot_between(base, other % 3, 3);
+            Id other = old.mate[k];
+            unsigned tets = old.fan[k] + 1u;
+            if (other >> 2 == gate) {  // the gate is its own neighbour
+                other = slot(made[other & 3], 2);
                 ++tets;
             }
-            pair(mine, other, tets);
+            pair(slot(made[k], 2), other, tets);
         }
-        for (Id a = 0; a < 3; ++a)
-            for (Id b = 0; b < a; ++b) pair(slot_between(base, a, b), slot_between(base, b, a), 1);
+        join_sides(made);
+        return made;
     }
 
-    // Facets f and g have the same vertices and meet: their neighbours become mates.
+    // Two triangles have the same vertices and meet: their neighbours become mates. Both leave.
     void glue(Id f, Id g) {
         for (Id e = 0; e < 3; ++e) {
-            const Id s = 3 * f + e;
-            Id r = 3 * g;
-            while (r < 3 * g + 2 && vertex_of_slot(r) != vertex_of_slot(s)) ++r;
-            const Id beside_s = mate_[s], beside_r = mate_[r];
-            if (beside_s == r || beside_s == s || beside_r == r) continue;
-            pair(beside_s, beside_r, fan_[s] + unsigned{fan_[r]});
+            const Triangle &a = triangles_[f], &b = triangles_[g];
+            Id r = 0;
+            while (r < 2 && b.vertex[r] != a.vertex[e]) ++r;
+            const Id s = slot(f, e), t = slot(g, r), beside_s = a.mate[e], beside_t = b.mate[r];
+            if (beside_s == t || beside_s == s || beside_t == t) continue;
+            pair(beside_s, beside_t, a.fan[e] + unsigned{b.fan[r]});
         }
+        release(f);
+        release(g);
     }
 
-    // --- open facets by their vertices; no two have the same -----------------------------------
+    // --- open triangles by their vertices; no two have the same --------------------------------
 
-    void insert(Id facet) {
+    void insert(Id triangle) {
         if (2 * (used_ + 1) > table_.size()) rehash();
-        if (place(facet)) ++live_;
+        if (place(triangle)) ++live_;
     }
-    void erase(Id facet) {
+    void erase(Id triangle) {
         if (table_.empty()) return;
-        std::size_t i = home_of(key_of(facet));
+        const Key key = key_of(triangles_[triangle].vertex);
+        std::size_t i = home_of(key);
         for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
-            if (table_[i] == facet) {
+            if (table_[i] == triangle) {
                 table_[i] = kErased;
                 --live_;
                 return;
             }
-        if (!crowd_.empty()) crowd_.erase(key_of(facet));
+        if (!crowd_.empty()) crowd_.erase(key);
     }
-    // The open facet with the vertices of `facet`, or kNone.
-    Id find(Id facet) const {
+    // The open triangle with the vertices of `triangle`, or kNone.
+    Id find(Id triangle) const {
         if (table_.empty()) return kNone;
-        const Key key = key_of(facet);
+        const Key key = key_of(triangles_[triangle].vertex);
         std::size_t i = home_of(key);
         for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
-            if (table_[i] != kErased && key_of(table_[i]) == key) return table_[i];
+            if (table_[i] != kErased && key_of(triangles_[table_[i]].vertex) == key)
+                return table_[i];
         if (crowd_.empty()) return kNone;
         const auto found = crowd_.find(key);
         return found == crowd_.end() ? kNone : found->second;
     }
-    // How many open facets found no place near their own.
+    // How many open triangles found no place near their own.
     std::size_t crowd() const { return crowd_.size(); }
 
   private:
@@ -124,19 +130,36 @@ class TetFront {
     static constexpr Id kErased = kNone - 1;
     static constexpr int kMostProbes = 48;
 
-    void grow(Id base) {
-        mate_.resize(3 * (std::size_t{base} + 4), 0);
-        fan_.resize(3 * (std::size_t{base} + 4), 0);
+    static Id slot(Id triangle, Id edge) { return triangle << 2 | edge; }
+    Id add(const std::array<Id, 3>& vertex, Id facet) {
+        Id t = free_;
+        if (t != kNone) {
+            free_ = triangles_[t].mate[0];
+        } else {
+            t = static_cast<Id>(triangles_.size());
+            triangles_.emplace_back();
+        }
+        triangles_[t].vertex = vertex;
+        triangles_[t].border = false;
+        triangles_[t].facet = facet;
+        return t;
+    }
+    void release(Id t) {
+        triangles_[t].mate[0] = free_;
+        free_ = t;
     }
     void pair(Id s, Id r, unsigned tets) {
-        mate_[s] = r;
-        mate_[r] = s;
-        fan_[s] = fan_[r] = static_cast<std::uint8_t>(tets < 255 ? tets : 255);
+        Triangle &a = triangles_[s >> 2], &b = triangles_[r >> 2];
+        a.mate[s & 3] = r;
+        b.mate[r & 3] = s;
+        a.fan[s & 3] = b.fan[r & 3] = static_cast<std::uint8_t>(tets < 255 ? tets : 255);
     }
-    Key key_of(Id facet) const {
-        const Id base = facet & ~Id{3};
-        const auto& triple = kOutward[facet & 3];
-        Key v{vertex_[base + triple[0]], vertex_[base + triple[1]], vertex_[base + triple[2]]};
+    // The edges at the apex: facet k's edge 0 is facet k + 1's edge 1.
+    void join_sides(const std::array<Id, 3>& made) {
+        for (Id k = 0; k < 3; ++k) pair(slot(made[k], 0), slot(made[(k + 1) % 3], 1), 1);
+    }
+
+    static Key key_of(Key v) {
         if (v[0] > v[1]) std::swap(v[0], v[1]);
         if (v[1] > v[2]) std::swap(v[1], v[2]);
         if (v[0] > v[1]) std::swap(v[0], v[1]);
@@ -150,16 +173,16 @@ class TetFront {
     }
     std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
     // Into the table, or else the tree: is it the table?
-    bool place(Id facet) {
-        const Key key = key_of(facet);
+    bool place(Id triangle) {
+        const Key key = key_of(triangles_[triangle].vertex);
         std::size_t i = home_of(key);
         for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
             if (table_[i] >= kErased) {
                 if (table_[i] == kNone) ++used_;
-                table_[i] = facet;
+                table_[i] = triangle;
                 return true;
             }
-        crowd_.emplace(key, facet);
+        crowd_.emplace(key, triangle);
         return false;
     }
     void rehash() {
@@ -169,14 +192,13 @@ class TetFront {
                             kNone);
         old.swap(table_);
         used_ = live_ = 0;
-        for (const Id facet : old)
-            if (facet < kErased && place(facet)) ++live_;
+        for (const Id triangle : old)
+            if (triangle < kErased && place(triangle)) ++live_;
     }
 
-    const std::vector<Id>& vertex_;  // of the walk, per corner
-    std::vector<Id> mate_;           // per slot
-    std::vector<std::uint8_t> fan_;  // per slot
-    std::vector<Id> table_;          // open addressing, linear probing
+    std::vector<Triangle> triangles_;
+    Id free_ = kNone;        // first of the list of free places, linked by mate[0]
+    std::vector<Id> table_;  // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
     std::map<Key, Id> crowd_;
 };

@@ -1,4 +1,4 @@
-// The walk over tets. A tet entered through a front facet (x0, x1, x2) is told by its apex: the
+// The walk over tets. A tet entered through a front triangle (x0, x1, x2) is told by its apex: the
 // apex across one of the three edges (a fold), a new vertex, or an old one. [Gumhold1999] codes
 // tets against such a front. Where the vertices lie says most about which it is: among the apexes
 // across the edges and the front vertices near by, the one whose sphere through the entry facet
@@ -6,22 +6,18 @@
 //
 // Constant time per tet but for the hash; the search looks at a bounded number of vertices.
 //
-// Beside the truths the driver has
-//     Point3 place(Id vertex)      where a visited vertex is, in integers
-//
 // Truths of the driver (about the tet being entered):
 //     bool apex_is(Id vertex)      is its apex this visited vertex?
 //     Id apex()                    its apex if visited, else kNone
 //     bool glues(Id facet)         does the walk's facet meet the one it is asked about?
 //     bool border(Id facet)        is there no tet across the walk's facet?
-//     bool links_through(Id facet) bool leaves_through(Id facet)       (of the tet being left)
 #pragma once
 
+#include "walk/apex_list.h"
 #include "walk/sphere_family.h"
 #include "walk/tet_front.h"
 #include "walk/vertex_grid.h"
 #include "walk/walk.h"
-#include "walk/wind.h"
 
 namespace ravel {
 
@@ -29,19 +25,20 @@ template <class Driver>
 class TetWalk {
   public:
     TetWalk(Driver& driver, const WalkLimits& limits)
-        : driver_(driver),
-          limits_(limits),
-          front_(walked_.vertex),
-          grid_(limits.grid_side, limits.grid_count) {
+        : driver_(driver), limits_(limits), grid_(limits.grid_side, limits.grid_count) {
         walked_.kind = CellKind::tet;
         reserve(walked_, limits);
-        front_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
+        const std::size_t vertices = std::min<std::size_t>(limits.vertices, limits.plausible);
+        grid_.reserve(vertices);
+        on_border_.reserve(vertices);
+        open_count_.reserve(vertices);
+        triangle_of_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
     }
 
     // False: the answers contradict each other or the limits (only a decoder can see this).
     bool run() {
         while (walked_.cell_count() < limits_.cells)
-            if (!visit(kNone, false) || !wind_component()) return false;
+            if (!visit(kNone) || !wind_component()) return false;
         return walked_.vertex_count == limits_.vertices;
     }
 
@@ -49,81 +46,52 @@ class TetWalk {
     Walked take() { return std::move(walked_); }
 
   private:
-    enum State : std::uint8_t { open, border, gone };
     enum class Apex : std::uint8_t { fold, fresh, old };
 
     bool wind_component() {
-        const auto leave = [&](Id cell, bool returned, bool& link, Id& out) {
-            out = choose_exit(cell, returned, link);
-            return !driver_.failed();
-        };
-        const auto enter = [&](Id out, bool link, Id& cell) {
-            cell = walked_.cell_count();
-            return visit(out, link);
-        };
-        return wind(walked_.cell_count() - 1, pending_, leave, enter);
+        return wind(
+            walked_, [&](Id cell) { return choose_exit(cell); },
+            [&](Id out) { return visit(out); });
     }
 
-    // The rule: leave through the facet whose opposite vertex is oldest, so that the strip sheds
-    // old vertices first.
-    Id choose_exit(Id cell, bool returned, bool& link) {
+    // The rule finishes what is nearly finished: most borders beside it first, then least open
+    // triangles around its vertices, then the oldest vertex opposite.
+    Id choose_exit(Id cell) {
         const Id base = 4 * cell;
-        std::array<Id, 4> exits{};
-        std::uint32_t count = 0;
-        for (Id f = base; f < base + 4; ++f)
-            if (state_[f] == open) {
-                std::uint32_t i = count++;
-                for (; i > 0 && walked_.vertex[exits[i - 1]] > walked_.vertex[f]; --i)
-                    exits[i] = exits[i - 1];
-                exits[i] = f;
+        Id best = kNone;
+        std::uint64_t least = 0;
+        for (Id f = base; f < base + 4; ++f) {
+            if (triangle_of_[f] == kNone) continue;
+            const TetFront::Triangle& t = front_[triangle_of_[f]];
+            std::uint64_t open = 0;
+            for (Id e = 0; e < 3; ++e) {
+                open += open_count_[t.vertex[e]];
+                open += front_.across(t, e).border ? 0 : std::uint64_t{1} << 60;
             }
-        if (count == 0) return kNone;
-        bool any_link = false;
-        for (std::uint32_t i = 0; i < count; ++i)
-            any_link = any_link || driver_.links_through(exits[i]);
-        link = driver_.flag(tet::kLink.at(returned, count - 1), any_link);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const Id f = exits[i];
-            if (link && i + 1 == count) return f;
-            const bool truth = link ? driver_.links_through(f) : driver_.leaves_through(f);
-            if (driver_.flag(tet::kExit.at(i, count - i - 1, folded_sides(f), returned), truth))
-                return f;
+            if (best == kNone || open < least ||
+                (open == least && walked_.vertex[f] < walked_.vertex[best]))
+                best = f, least = open;
         }
-        return kNone;
+        // What waits to be found by its vertices: all new triangles but the one to go through.
+        for (const Id t : waiting_)
+            if (front_[t].facet != best) front_.insert(t);
+        goes_on_ = best != kNone && best >= 4 * (walked_.cell_count() - 1);
+        waiting_.clear();
+        return best;
     }
 
-    // How many edges of an open facet have been wound round far enough that the next tet may fold.
-    std::uint32_t folded_sides(Id facet) const {
-        std::uint32_t n = 0;
-        for (Id e = 0; e < 3; ++e) n += front_.fan(3 * facet + e) >= 3;
-        return n;
-    }
-
-    bool visit(Id gate, bool link) {
+    bool visit(Id gate) {
         if (walked_.cell_count() >= limits_.cells) return false;
         driver_.begin_cell(gate);
         const Id cell = walked_.cell_count(), base = 4 * cell;
         if (base + 4 > limits_.corners) return false;
         walked_.first.push_back(base + 4);
         walked_.gate.push_back(gate);
-        walked_.by_link.push_back(link);
         walked_.cell_of.resize(base + 4, cell);
         walked_.vertex.resize(base + 4, kNone);
         walked_.twin.resize(base + 4, kNone);
-        state_.resize(base + 4, gone);
-        Apex kind = Apex::fresh;
-        if (gate == kNone) {
-            for (Id i = 0; i < 4; ++i) {
-                Stencil stencil;
-                const Id known = walked_.vertex_count;
-                for (Id j = 0; j < 3 && j < known; ++j) stencil.at[j] = known - 1 - j;
-                if (!add_vertex(base + i, stencil)) return false;
-            }
-            front_.add_seed(base);
-        } else {
-            if (!place(base, gate, kind)) return false;
-        }
-        for (Id f = base; f < base + (gate == kNone ? 4 : 3); ++f) make_front(f, kind);
+        triangle_of_.resize(base + 4, kNone);
+        if (gate == kNone ? !place_seed(base) : !place(base, gate)) return false;
         if (driver_.failed()) return false;
         driver_.end_cell(cell);
         return true;
@@ -139,59 +107,50 @@ class TetWalk {
         return true;
     }
 
-    bool place(Id base, Id gate, Apex& kind) {
-        auto& vertex = walked_.vertex;
-        const Id back = gate & ~Id{3};
-        for (Id i = 0; i < 3; ++i) vertex[base + i] = vertex[back + kOutward[gate & 3][i]];
-        const Id apex = code_apex(base, gate, kind);
-        if (kind == Apex::fresh) {
-            Stencil stencil = stencil_of(Configuration::tet, {vertex[base], vertex[base + 1],
-                                                              vertex[base + 2], vertex[gate]});
-            for (Id k = 0; k < 3; ++k) stencil.at[4 + k] = front_.apex_across(3 * gate + k);
-            if (!add_vertex(base + 3, stencil)) return false;
-        } else {
-            if (apex >= walked_.vertex_count) return false;
-            for (Id i = 0; i < 3; ++i)
-                if (vertex[base + i] == apex) return false;
-            vertex[base + 3] = apex;
+    bool place_seed(Id base) {
+        for (Id i = 0; i < 4; ++i) {
+            Stencil stencil;
+            const Id known = walked_.vertex_count;
+            for (Id j = 0; j < 3 && j < known; ++j) stencil.at[j] = known - 1 - j;
+            if (!add_vertex(base + i, stencil)) return false;
         }
-        front_.erase(gate);
-        closed(gate);
-        state_[gate] = gone;
-        walked_.twin[gate] = base + 3;
-        walked_.twin[base + 3] = gate;
-        front_.add_tet(base, gate);
+        const auto& v = walked_.vertex;
+        const auto made = front_.add_seed({v[base], v[base + 1], v[base + 2], v[base + 3]}, base);
+        for (Id i = 0; i < 4; ++i) make_front(made[i], Apex::fresh);
         return true;
     }
 
-    struct Candidate {
-        Id vertex = kNone;
-        double height = 0;   // of its sphere
-        bool above = false;  // is it on the right side of the gate, and the gate no degenerate one?
-        std::uint32_t times = 0;  // edges of the gate it folds onto
-        std::uint32_t fan = 0;    // most tets round one of these
-        bool beyond_border = false;
-    };
-    static bool before(const Candidate& a, const Candidate& b) {
-        if (a.above != b.above) return a.above;
-        return a.above ? a.height < b.height : a.times > b.times;
-    }
-    // Keeps the list sorted; equal ones stay in the order they came. What is beyond those asked for
-    // is let go, or a crowd of vertices would make each tet cost the square of the crowd.
-    static constexpr std::size_t kMostAsked = 12;
-    void offer(const Candidate& candidate) {
-        std::size_t i = list_.size();
-        if (i == kMostAsked) {
-            if (!before(candidate, list_.back())) return;
-            list_[--i] = candidate;
+    bool place(Id base, Id gate) {
+        auto& vertex = walked_.vertex;
+        const Id entry = triangle_of_[gate];
+        const TetFront::Triangle& t = front_[entry];
+        for (Id i = 0; i < 3; ++i) vertex[base + i] = t.vertex[i];
+        Apex kind = Apex::fresh;
+        const Id apex = code_apex(t, kind);
+        if (kind == Apex::fresh) {
+            Stencil stencil = stencil_of(Configuration::tet,
+                                         {t.vertex[0], t.vertex[1], t.vertex[2], vertex[gate]});
+            for (Id e = 0; e < 3; ++e) stencil.at[4 + e] = front_.apex_across(t, e);
+            if (!add_vertex(base + 3, stencil)) return false;
         } else {
-            list_.push_back(candidate);
+            if (apex >= walked_.vertex_count || is_in(t, apex)) return false;
+            vertex[base + 3] = apex;
         }
-        for (; i > 0 && before(candidate, list_[i - 1]); --i) list_[i] = list_[i - 1];
-        list_[i] = candidate;
+        if (!goes_on_) front_.erase(entry);
+        goes_on_ = false;
+        count(t, false);
+        triangle_of_[gate] = kNone;
+        walked_.twin[gate] = base + 3;
+        walked_.twin[base + 3] = gate;
+        for (const Id made : front_.add_tet(entry, vertex[base + 3], base)) make_front(made, kind);
+        return true;
+    }
+
+    static bool is_in(const TetFront::Triangle& t, Id v) {
+        return v == t.vertex[0] || v == t.vertex[1] || v == t.vertex[2];
     }
     static constexpr std::uint32_t kNotAbove = 13;
-    std::uint32_t height_class(const SphereFamily& family, const Candidate& candidate) const {
+    static std::uint32_t height_class(const SphereFamily& family, const ApexCandidate& candidate) {
         static constexpr std::array<double, 12> kBounds{-0.25, 0.0, 0.04, 0.12, 0.25, 0.45,
                                                         0.8,   1.4, 2.5,  5.0,  12.0, 60.0};
         if (!candidate.above) return kNotAbove;
@@ -200,34 +159,42 @@ class TetWalk {
         while (i < kBounds.size() && r > kBounds[i]) ++i;
         return i;
     }
-    bool in_gate(Id base, Id v) const {
-        const Id* corner = walked_.vertex.data() + base;
-        return v == corner[0] || v == corner[1] || v == corner[2];
+    // How far the second candidate lies above the first: 0 for next to nothing, 3 for far or none.
+    std::uint32_t gap_class(const SphereFamily& family) const {
+        if (list_.size() < 2 || !list_[1].above) return 3;
+        const double gap = (list_[1].height - list_[0].height) / family.height_at(1);
+        return gap < 0.03 ? 0 : gap < 0.12 ? 1 : gap < 0.35 ? 2 : 3;
+    }
+    std::uint32_t second_class(const SphereFamily& family) const {
+        if (list_.size() < 2 || !list_[1].above) return 5;
+        const double r = family.relative(list_[1].height);
+        return r < 0.12 ? 0 : r < 0.45 ? 1 : r < 1.4 ? 2 : r < 5 ? 3 : 4;
     }
 
-    Id code_apex(Id base, Id gate, Apex& kind) {
-        const auto& vertex = walked_.vertex;
-        const SphereFamily family(driver_.place(vertex[base]), driver_.place(vertex[base + 1]),
-                                  driver_.place(vertex[base + 2]), limits_.mirrored);
-        list_.clear();
-        const std::uint32_t borders = offer_folds(base, gate, family);
-        offer_near(base, family);
-        const auto answer = [&](const Candidate& candidate) {
+    Id code_apex(const TetFront::Triangle& gate, Apex& kind) {
+        const SphereFamily family(driver_.place(gate.vertex[0]), driver_.place(gate.vertex[1]),
+                                  driver_.place(gate.vertex[2]), limits_.mirrored);
+        list_.clear(family.flat() ? 0 : family.height_at(1));
+        const std::uint32_t borders = offer_folds(gate, family);
+        offer_near(gate, family);
+        const auto answer = [&](const ApexCandidate& candidate) {
             kind = candidate.times > 0 ? Apex::fold : Apex::old;
             return candidate.vertex;
         };
         std::uint32_t height = kNotAbove, times = 0;
         if (!list_.empty()) {
-            const Candidate& lowest = list_[0];
+            const ApexCandidate& lowest = list_[0];
             height = height_class(family, lowest);
             times = lowest.times;
             const std::uint32_t fan = std::clamp<std::uint32_t>(lowest.fan, 1, 4) - 1;
-            if (driver_.flag(tet::kLowest.at(height, times, fan, lowest.beyond_border),
+            const std::uint32_t gap = lowest.above ? gap_class(family) : 3;
+            if (driver_.flag(tet::kLowest.at(height, times, fan, 2 * gap + lowest.beyond_border),
                              driver_.apex_is(lowest.vertex)))
                 return answer(lowest);
         }
         const Id truth = driver_.apex();
-        if (driver_.flag(tet::kNew.at(height, times, borders), truth == kNone)) {
+        if (driver_.flag(tet::kNew.at(height, times, borders, second_class(family)),
+                         truth == kNone)) {
             kind = Apex::fresh;
             return kNone;
         }
@@ -238,139 +205,149 @@ class TetWalk {
                 return answer(list_[i]);
         }
         kind = Apex::old;
-        const std::uint64_t age =
-            driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
-        return age >= walked_.vertex_count ? kNone
-                                           : static_cast<Id>(walked_.vertex_count - 1 - age);
+        return code_far(gate, family, truth);
     }
 
     // The apexes across the gate's edges. Returns how many of them lie across borders.
-    std::uint32_t offer_folds(Id base, Id gate, const SphereFamily& family) {
+    std::uint32_t offer_folds(const TetFront::Triangle& gate, const SphereFamily& family) {
         std::uint32_t borders = 0;
-        for (Id k = 0; k < 3; ++k) {
-            const Id slot = 3 * gate + k, apex = front_.apex_across(slot);
-            const std::uint32_t fan = front_.fan(slot);
-            const bool beyond = state_[front_.mate(slot) / 3] == border;
+        for (Id e = 0; e < 3; ++e) {
+            const Id apex = front_.apex_across(gate, e);
+            const bool beyond = front_.across(gate, e).border;
             borders += beyond;
-            if (open_count_[apex] == 0 || in_gate(base, apex)) continue;
-            Candidate candidate;
-            candidate.vertex = apex;
-            candidate.beyond_border = true;
-            const auto known = std::find_if(list_.begin(), list_.end(),
-                                            [&](const Candidate& c) { return c.vertex == apex; });
-            if (known != list_.end()) {
-                candidate = *known;
-                list_.erase(known);
-            } else if (!family.flat()) {
+            if (open_count_[apex] == 0 || is_in(gate, apex)) continue;
+            ApexCandidate candidate = list_.take(apex);
+            if (candidate.times == 0 && !family.flat())
                 candidate.above = family.height_of(driver_.place(apex), candidate.height);
-            }
             ++candidate.times;
-            if (!beyond) candidate.fan = std::max(candidate.fan, fan);
+            if (!beyond) candidate.fan = std::max<std::uint32_t>(candidate.fan, gate.fan[e]);
             candidate.beyond_border = candidate.beyond_border && beyond;
-            offer(candidate);
+            list_.offer(candidate);
         }
         return borders;
     }
 
     // Front vertices inside the lowest sphere so far, or inside a rather high one. Where the sphere
     // is large beside the grid's cubes the search is not made, or ends early.
-    void offer_near(Id base, const SphereFamily& family) {
+    void offer_near(const TetFront::Triangle& gate, const SphereFamily& family) {
         if (family.flat()) return;
-        constexpr std::uint64_t kMostCubes = 1000;
-        constexpr std::uint32_t kMostVertices = 1500;
-        constexpr double kHighest = 9;
+        constexpr double kHighest = 6;
         double height = family.height_at(kHighest);
         if (!list_.empty() && list_[0].above && list_[0].height < height) height = list_[0].height;
+        search(gate, family, height, [&](const ApexCandidate& candidate) {
+            if (!list_.holds(candidate.vertex)) list_.offer(candidate);
+        });
+    }
+
+    template <class Take>
+    void search(const TetFront::Triangle& gate, const SphereFamily& family, double height,
+                const Take& take) const {
+        constexpr std::uint64_t kMostCubes = 1000;
+        constexpr std::uint32_t kMostVertices = 1500;
         const Point3 centre = family.centre_at(height);
         const double radius = family.radius_at(height);
-        std::array<std::uint32_t, 3> low{}, high{};
-        std::uint64_t cubes = 1;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = grid_.cube_of(centre[axis] - radius, axis);
-            high[axis] = grid_.cube_of(centre[axis] + radius, axis);
-            cubes *= high[axis] - low[axis] + std::uint64_t{1};
-        }
-        if (cubes > kMostCubes) return;
+        // A little more than the sphere: rounding must not leave out what lies on it.
+        const double square = radius * radius * 1.000001;
         std::uint32_t seen = 0;
-        for (std::uint32_t z = low[2]; z <= high[2]; ++z)
-            for (std::uint32_t y = low[1]; y <= high[1]; ++y)
-                for (std::uint32_t x = low[0]; x <= high[0]; ++x)
-                    for (Id v = grid_.first_in(x, y, z); v != kNone; v = grid_.next(v)) {
-                        if (++seen > kMostVertices) return;
-                        Candidate candidate;
-                        candidate.vertex = v;
-                        candidate.above = family.height_of(driver_.place(v), candidate.height);
-                        if (!candidate.above || candidate.height > height || in_gate(base, v))
-                            continue;
-                        const bool known =
-                            std::any_of(list_.begin(), list_.end(),
-                                        [&](const Candidate& c) { return c.vertex == v; });
-                        if (!known) offer(candidate);
-                    }
+        grid_.around(centre, radius, kMostCubes, [&](Id v, const VertexGrid::Entry& entry) {
+            if (++seen > kMostVertices) return false;
+            const Point3 way = minus(entry.place, centre);
+            if (dot(way, way) > square) return true;
+            ApexCandidate candidate;
+            candidate.vertex = v;
+            candidate.above = family.height_of(entry.place, candidate.height);
+            if (candidate.above && candidate.height <= height && !is_in(gate, v)) take(candidate);
+            return true;
+        });
     }
 
-    // A vertex stands in the grid while an open facet has it.
-    void opened(Id f) {
-        for (Id e = 0; e < 3; ++e) {
-            const Id v = front_.vertex_of_slot(3 * f + e);
-            if (open_count_[v]++ == 0) grid_.insert(v, driver_.place(v));
+    // An apex that is none of the list: by its rank among the front vertices in a large sphere, or
+    // by its age.
+    Id code_far(const TetFront::Triangle& gate, const SphereFamily& family, Id truth) {
+        constexpr double kHighest = 100;
+        more_.clear();
+        if (!family.flat())
+            search(gate, family, family.height_at(kHighest), [&](const ApexCandidate& candidate) {
+                if (!list_.holds(candidate.vertex))
+                    more_.push_back({candidate.height, candidate.vertex});
+            });
+        const auto known = std::find_if(more_.begin(), more_.end(),
+                                        [&](const Far& far) { return far.vertex == truth; });
+        if (driver_.flag(tet::kNear.at(0), known != more_.end())) {
+            std::uint64_t rank = 0;
+            if (known != more_.end())
+                rank = static_cast<std::uint64_t>(std::count_if(
+                    more_.begin(), more_.end(), [&](const Far& far) { return far < *known; }));
+            rank = driver_.number(tet::kNearRank.base, rank);
+            if (rank >= more_.size()) return kNone;
+            const auto place = more_.begin() + static_cast<std::ptrdiff_t>(rank);
+            std::nth_element(more_.begin(), place, more_.end());
+            return place->vertex;
         }
+        const std::uint64_t age =
+            driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
+        return age >= walked_.vertex_count ? kNone
+                                           : static_cast<Id>(walked_.vertex_count - 1 - age);
     }
-    void closed(Id f) {
-        for (Id e = 0; e < 3; ++e) {
-            const Id v = front_.vertex_of_slot(3 * f + e);
-            if (--open_count_[v] == 0) grid_.erase(v);
+
+    // Counts an open triangle in or out. A vertex stands in the grid while an open one has it.
+    void count(const TetFront::Triangle& t, bool in) {
+        for (const Id v : t.vertex) {
+            if (in && open_count_[v]++ == 0) grid_.insert(v, driver_.place(v));
+            if (!in && --open_count_[v] == 0) grid_.erase(v);
         }
     }
 
-    // Facet f of the new tet meets a front facet, is a border, or joins the front.
-    void make_front(Id f, Apex apex) {
+    // A triangle of the new tet meets a front triangle, is a border, or joins the front.
+    void make_front(Id triangle, Apex apex) {
+        const TetFront::Triangle& t = front_[triangle];
+        const Id f = t.facet;
         if (apex != Apex::fresh) {
-            const Id other = front_.find(f);
+            const Id other = front_.find(triangle);
             if (other != kNone) {
                 if (driver_.flag(tet::kGlue.at(apex == Apex::fold), driver_.glues(f))) {
-                    walked_.twin[f] = other;
-                    walked_.twin[other] = f;
+                    const Id g = front_[other].facet;
+                    walked_.twin[f] = g;
+                    walked_.twin[g] = f;
                     front_.erase(other);
-                    closed(other);
-                    state_[other] = gone;
-                    front_.glue(f, other);
+                    count(t, false);
+                    triangle_of_[g] = kNone;
+                    front_.glue(triangle, other);
                 } else {
                     // Only one gluing has these vertices, and it is still open.
-                    become_border(f);
+                    become_border(triangle);
                 }
                 return;
             }
         }
         if (limits_.has_border) {
-            std::uint32_t vertices = 0, flat = 0;
+            std::uint32_t vertices = 0, flat = 0, beside = 0;
             for (Id e = 0; e < 3; ++e) {
-                vertices += on_border_[front_.vertex_of_slot(3 * f + e)];
-                const Id mate = front_.mate(3 * f + e) / 3;
-                if (state_[mate] == border) flat = std::max(flat, flatness(f, mate));
+                vertices += on_border_[t.vertex[e]];
+                const TetFront::Triangle& mate = front_.across(t, e);
+                if (!mate.border) continue;
+                ++beside;
+                flat = std::max(flat, flatness(t, mate));
             }
             if (driver_.flag(
-                    tet::kBorder.at(flat, vertices, static_cast<std::uint32_t>(apex), f & 3),
+                    tet::kBorder.at(flat, vertices, static_cast<std::uint32_t>(apex), beside),
                     driver_.border(f))) {
-                become_border(f);
+                become_border(triangle);
                 return;
             }
         }
-        state_[f] = open;
-        front_.insert(f);
-        opened(f);
+        triangle_of_[f] = triangle;
+        waiting_.push_back(triangle);
+        count(t, true);
     }
 
-    Point3 normal_of(Id f) const {
-        const Id base = f & ~Id{3};
-        const auto& t = kOutward[f & 3];
-        const Point3 a = driver_.place(walked_.vertex[base + t[0]]);
-        return cross(minus(driver_.place(walked_.vertex[base + t[1]]), a),
-                     minus(driver_.place(walked_.vertex[base + t[2]]), a));
+    Point3 normal_of(const TetFront::Triangle& t) const {
+        const Point3& a = driver_.place(t.vertex[0]);
+        return cross(minus(driver_.place(t.vertex[1]), a), minus(driver_.place(t.vertex[2]), a));
     }
-    // How nearly two facets lie in one plane: 1 for a fold back, 6 for flat.
-    std::uint32_t flatness(Id f, Id g) const {
-        const Point3 m = normal_of(f), n = normal_of(g);
+    // How nearly two triangles lie in one plane: 1 for a fold back, 6 for flat.
+    std::uint32_t flatness(const TetFront::Triangle& a, const TetFront::Triangle& b) const {
+        const Point3 m = normal_of(a), n = normal_of(b);
         const double d = dot(m, n), square = dot(m, m) * dot(n, n);
         if (!(d > 0)) return 1;
         const double r = d * d;
@@ -380,21 +357,32 @@ class TetWalk {
                : r > 0.5 * square  ? 3
                                    : 2;
     }
-    void become_border(Id f) {
-        state_[f] = border;
-        for (Id e = 0; e < 3; ++e) on_border_[front_.vertex_of_slot(3 * f + e)] = 1;
+    void become_border(Id triangle) {
+        front_.set_border(triangle);
+        for (const Id v : front_[triangle].vertex) on_border_[v] = 1;
     }
+
+    struct Far {
+        double height;
+        Id vertex;
+
+        bool operator<(const Far& other) const {
+            return height != other.height ? height < other.height : vertex < other.vertex;
+        }
+    };
 
     Driver& driver_;
     const WalkLimits limits_;
     Walked walked_;
     TetFront front_;
     VertexGrid grid_;
-    std::vector<std::uint8_t> state_;        // per facet
+    std::vector<Id> triangle_of_;            // per facet: its open triangle, or kNone
+    std::vector<Id> waiting_;                // open triangles that are not in the hash yet
+    bool goes_on_ = false;                   // through one of these
     std::vector<std::uint8_t> on_border_;    // per vertex
-    std::vector<std::uint32_t> open_count_;  // per vertex: open facets around it
-    std::vector<Candidate> list_;            // of apexes, likeliest first
-    std::vector<Id> pending_;
+    std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it
+    ApexList list_;
+    std::vector<Far> more_;
 };
 
 }  // namespace ravel

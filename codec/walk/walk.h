@@ -1,5 +1,10 @@
 // What a walk leaves behind, for surfaces and tets alike, and what it asks of its driver.
 //
+// The walk goes from cell to cell by a fixed rule as long as there is an unvisited neighbour; where
+// there is none it goes back the way it came to the last cell that has one. So it winds every cell
+// of a component onto one thread, and where it goes costs no codes; only what the next cell looks
+// like does. `read_strip` reads the single strip from it.
+//
 // The walk is one automaton with two drivers. Wherever it needs to know something about the next
 // cell it calls its driver with a context and a question; the encoder's driver answers from the
 // mesh and writes the answer down, the decoder's reads it. Everything else follows from the
@@ -7,11 +12,13 @@
 //
 //     bool flag(Context, bool truth)              a yes/no code
 //     uint64 number(Context base, uint64 truth)   a number >= 0, kNumberSteps contexts from `base`
-//     void begin_cell(Id gate)                    gate: walk facet the strip comes through, or
-//     kNone void new_vertex(Id vertex, Id corner, const Stencil&)   met for the first time, at this
-//     corner of the cell void end_cell(Id cell)                      corners and twins of the cell
-//     are now known bool failed() const                         the decoder's bytes have ended or
-//     made no sense
+//     void begin_cell(Id gate)                    gate: walk facet the walk comes through, or kNone
+//     void new_vertex(Id vertex, Id corner, const Stencil&)   met for the first time, at this
+//                                                 corner of the cell
+//     void end_cell(Id cell)                      corners and twins of the cell are now known
+//     bool failed() const                         the decoder's bytes have ended or made no sense
+//     const Point3& place(Id vertex)              where a visited vertex is; the same numbers on
+//                                                 both sides
 //
 // and the truths, which the decoder's driver answers with zero: see SurfaceWalk and TetWalk.
 #pragma once
@@ -22,6 +29,7 @@
 #include <vector>
 
 #include "mesh/complex.h"
+#include "mesh/point3.h"
 #include "mesh/stencil.h"
 #include "walk/contexts.h"
 
@@ -37,7 +45,6 @@ struct Walked {
     std::vector<Id> vertex;
     std::vector<Id> twin;  // kNone: border, or not yet met
     std::vector<Id> gate;  // per cell: the facet of an earlier cell it was entered through
-    std::vector<std::uint8_t> by_link;  // per cell: that step is a link
     Id vertex_count = 0;
 
     Id cell_count() const { return static_cast<Id>(first.size() - 1); }
@@ -49,6 +56,8 @@ struct Walked {
         const Id cell = cell_of[facet];
         return facet == first[cell] ? first[cell + 1] - 1 : facet - 1;
     }
+    // The facet a cell was entered by; only where it has a gate.
+    Id entry(Id cell) const { return kind == CellKind::tet ? first[cell] + 3 : first[cell]; }
 };
 
 // Limits both sides know before the walk, and what the mesh has none of (so that it costs no
@@ -72,10 +81,27 @@ inline void reserve(Walked& walked, const WalkLimits& limits) {
     const std::size_t corners = std::min<std::size_t>(limits.corners, limits.plausible);
     walked.first.reserve(cells + 1);
     walked.gate.reserve(cells);
-    walked.by_link.reserve(cells);
     walked.cell_of.reserve(corners);
     walked.vertex.reserve(corners);
     walked.twin.reserve(corners);
+}
+
+// Visits every cell of the component whose first cell has just been visited. `choose_exit(cell)`
+// names the open facet by which the walk leaves the cell, kNone where it has none; `visit(out)`
+// enters the cell beyond, false to give up. Linear: a cell is left for good once.
+template <class ChooseExit, class Visit>
+bool wind(const Walked& walked, const ChooseExit& choose_exit, const Visit& visit) {
+    for (Id cell = walked.cell_count() - 1;;) {
+        const Id out = choose_exit(cell);
+        if (out != kNone) {
+            cell = walked.cell_count();
+            if (!visit(out)) return false;
+            continue;
+        }
+        const Id gate = walked.gate[cell];
+        if (gate == kNone) return true;
+        cell = walked.cell_of[gate];
+    }
 }
 
 }  // namespace ravel

@@ -1,5 +1,5 @@
 # A full disk, a file that may not grow, a pipe that nobody reads: exit code 3, a sentence, nothing left.
-ravel -q make torus:quads=20000 -o torus.ply
+ravel -q make torus:quads=40000,bumps=0.3 -o torus.ply
 ravel -q make tets:box=14 -o box.vtk
 ravel -q encode torus.ply -o torus.ravel
 ravel -q encode box.vtk -o box.ravel

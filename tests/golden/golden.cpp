@@ -91,18 +91,17 @@ struct Row {
 };
 
 std::vector<Row> option_rows() {
-    std::vector<Row> rows{
-        {"exact", {}}, {"bits=14", {}},  {"error=0.001,order", {}}, {"float32,budget=0", {}},
-        {"euler", {}}, {"two-pass", {}}, {"template,bits=9", {}}};
+    std::vector<Row> rows{{"exact", {}},
+                          {"bits=14", {}},
+                          {"error=0.001,order", {}},
+                          {"float32,budget=0", {}},
+                          {"bits=9", {}}};
     rows[1].options.position_bits = 14;
     rows[2].options.max_error = 0.001;
     rows[2].options.keep_order = true;
     rows[3].options.float32 = true;
     rows[3].options.strip_budget = 0;
-    rows[4].options.method = FactorMethod::euler;
-    rows[5].options.method = FactorMethod::two_pass;
-    rows[6].options.method = FactorMethod::template_substitution;
-    rows[6].options.position_bits = 9;
+    rows[4].options.position_bits = 9;
     for (Row& row : rows) row.options.level = 3;
     return rows;
 }

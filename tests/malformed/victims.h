@@ -42,7 +42,9 @@ inline std::vector<Victim> victims() {
 }
 
 inline Code code_of(const Bytes& file, const DecodeOptions& options = {}) {
-    const auto decoded = decode(file, options);
+    DecodeOptions all = options;
+    all.steps = true;
+    const auto decoded = decode(file, all);
     REQUIRE_FALSE(decoded.ok());
     CHECK_FALSE(decoded.error().detail.empty());
     return decoded.error().code;

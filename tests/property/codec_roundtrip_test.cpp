@@ -35,7 +35,6 @@ std::vector<NamedOptions> all_options() {
     for (const double error : {1e-6, 0.01, 0.3, 1e6, 1e299})
         add("error " + std::to_string(error), [&](EncodeOptions& o) { o.max_error = error; });
     add("float32 of 12 bits", [](EncodeOptions& o) { o.float32 = true, o.position_bits = 12; });
-    add("euler", [](EncodeOptions& o) { o.method = FactorMethod::euler; });
     add("no links", [](EncodeOptions& o) { o.strip_budget = 0; });
     add("any links", [](EncodeOptions& o) { o.strip_budget = 1e9; });
     return all;

@@ -13,11 +13,8 @@ std::vector<ravel::EncodeOptions> option_rows() {
     std::vector<ravel::EncodeOptions> rows(5);
     rows[1].position_bits = 10;
     rows[2].keep_order = true;
-    rows[2].method = ravel::FactorMethod::euler;
     rows[3].max_error = 0.01;
-    rows[3].method = ravel::FactorMethod::two_pass;
     rows[4].strip_budget = 0;
-    rows[4].method = ravel::FactorMethod::template_substitution;
     rows[4].float32 = true;
     for (ravel::EncodeOptions& row : rows) row.level = 3;
     return rows;
@@ -37,7 +34,9 @@ std::string trouble(const ravel::Mesh& mesh, const ravel::EncodeOptions& options
     // A small error on a huge mesh is more than any grid can promise, and is said so.
     if (!packed && options.max_error && packed.error().code == ravel::Code::bad_option) return {};
     if (!packed) return "encode: " + packed.error().detail;
-    const auto again = ravel::decode(packed->bytes);
+    ravel::DecodeOptions all;
+    all.steps = true;
+    const auto again = ravel::decode(packed->bytes, all);
     if (!again) return "decode: " + again.error().detail;
     if (const auto status = ravel::check_mesh(again->mesh); !status) return status.error().detail;
     if (again->steps.size() != mesh.cell_count()) return "not one step per cell";

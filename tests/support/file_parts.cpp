@@ -40,7 +40,9 @@ Bytes put_together(const std::vector<FilePart>& parts, int level) {
 
 std::string unsafe(std::span<const std::byte> file, const DecodeOptions& options) {
     const Result<FileInfo> info = inspect(file);
-    const Result<Decoded> decoded = decode(file, options);
+    DecodeOptions all = options;
+    all.steps = true;
+    const Result<Decoded> decoded = decode(file, all);
     if (!decoded) return decoded.error().detail.empty() ? "an error without words" : "";
     if (!info) return "inspect refuses what decode takes";
     const Mesh& mesh = decoded->mesh;

@@ -182,7 +182,6 @@ MeshCase mesh_from_bytes(std::span<const std::byte> bytes) {
     }
     const unsigned rest = in.u8();
     options.keep_order = (rest & 1) != 0;
-    options.method = rest & 2 ? FactorMethod::euler : FactorMethod::steered;
     options.strip_budget = rest & 4 ? 0 : 12.5;
     const bool extras = (rest & 8) != 0;
     add_points(made.mesh, in);
@@ -235,7 +234,9 @@ std::string trouble(const Mesh& mesh, const EncodeOptions& options) {
         const bool may_fail = options.max_error && packed.error().code == Code::bad_option;
         return may_fail ? "" : "encode: " + packed.error().detail;
     }
-    const Result<Decoded> again = decode(packed->bytes);
+    DecodeOptions all;
+    all.steps = true;
+    const Result<Decoded> again = decode(packed->bytes, all);
     if (!again) return "decode: " + again.error().detail;
     if (const Status status = check_mesh(again->mesh); !status)
         return "decoded mesh: " + status.error().detail;

@@ -124,9 +124,9 @@ TEST_CASE("flags cost what their entropy says, within a few percent") {
         INFO("p " << p);
         const std::size_t count = 400000;
         const double constant = 64.0 / static_cast<double>(count);  // the adaptation, once
-        // An adaptive model with a window of 128 is a few percent off by itself.
-        CHECK(bits_per_flag(p, count, 1) < 1.06 * entropy(p) + constant + 0.0006);
-        CHECK(bits_per_flag(1 - p, count, 2) < 1.06 * entropy(p) + constant + 0.0006);
+        // A model that follows the recent past is a few percent off where nothing ever changes.
+        CHECK(bits_per_flag(p, count, 1) < 1.1 * entropy(p) + constant + 0.0006);
+        CHECK(bits_per_flag(1 - p, count, 2) < 1.1 * entropy(p) + constant + 0.0006);
     }
 }
 

@@ -179,7 +179,7 @@ TEST_CASE("grid coordinates are origin and steps, rounded to the mesh's floats")
 
 TEST_CASE("places of any floats are integers within the grid of places") {
     PositionFormat format;
-    format.numbers.base = NumberBase::binary;
+    format.has_stand_ins = true;
     for (const double scale : {1.0, 0x1p16, 1e300, 1e-300, Limits::quiet_NaN(), -1.0})
         for (const double x : ascending_doubles()) {
             format.place_scale = scale;

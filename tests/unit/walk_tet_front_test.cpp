@@ -16,44 +16,99 @@ std::uint64_t hash_of(Id a, Id b, Id c) {
     return h ^ (h >> 31);
 }
 
-// Vertices of `tets` tets whose facets opposite the last corner (0, b, c) all want one place of a
-// table of 2^14.
-std::vector<Id> colliding_tets(std::size_t tets) {
-    std::vector<Id> vertex;
-    for (Id b = 1; vertex.size() < 4 * tets; ++b)
-        for (Id c = b + 1; c < b + 4000 && vertex.size() < 4 * tets; ++c)
-            if ((hash_of(0, b, c) & 0x3FFF) == 77)
-                for (const Id v : {Id{0}, b, c, Id{4'000'000'000u}}) vertex.push_back(v);
-    return vertex;
+// Pairs b, c such that the triangles (0, b, c) all want one place of a table of 2^14.
+std::vector<std::array<Id, 2>> colliding_pairs(std::size_t count) {
+    std::vector<std::array<Id, 2>> pairs;
+    for (Id b = 1; pairs.size() < count; ++b)
+        for (Id c = b + 1; c < b + 4000 && pairs.size() < count; ++c)
+            if ((hash_of(0, b, c) & 0x3FFF) == 77) pairs.push_back({b, c});
+    return pairs;
+}
+
+// The front triangle of a seed tet's facet without the apex.
+Id triangle_of(TetFront& front, Id a, Id b, Id c) {
+    return front.add_seed({a, b, c, 4'000'000'000u}, 0)[3];
+}
+
+// Every edge has a mate that has it as mate, and the same two vertices at its ends.
+void check_closed(const TetFront& front, const std::vector<Id>& triangles) {
+    for (const Id t : triangles)
+        for (Id e = 0; e < 3; ++e) {
+            const auto& here = front[t];
+            const Id mate = here.mate[e];
+            const auto& there = front[mate >> 2];
+            REQUIRE(there.mate[mate & 3] == (t << 2 | e));
+            REQUIRE(there.fan[mate & 3] == here.fan[e]);
+            // Outward triangles run along a common edge in opposite directions.
+            CHECK(here.vertex[(e + 1) % 3] == there.vertex[((mate & 3) + 2) % 3]);
+            CHECK(here.vertex[(e + 2) % 3] == there.vertex[((mate & 3) + 1) % 3]);
+        }
 }
 
 }  // namespace
 
-TEST_CASE("facets whose vertices are chosen to collide are found, and crowd the tree alone") {
-    constexpr std::size_t kTets = 6000;
-    const std::vector<Id> vertex = colliding_tets(kTets);
-    TetFront front(vertex);
-    const auto facet = [](std::size_t tet) { return static_cast<Id>(4 * tet + 3); };
-    for (std::size_t t = 0; t < kTets; ++t) {
-        REQUIRE(front.find(facet(t)) == kNone);
-        front.insert(facet(t));
+TEST_CASE("a front of tets is a closed surface while it grows and is glued") {
+    TetFront front;
+    const auto seed = front.add_seed({0, 1, 2, 3}, 0);
+    check_closed(front, {seed.begin(), seed.end()});
+    // Round the edge 0 1: a tet through the facet opposite corner 3 and on, until it closes.
+    const auto second = front.add_tet(seed[3], 4, 4);
+    check_closed(front, {seed[0], seed[1], seed[2], second[0], second[1], second[2]});
+    CHECK(front.apex_across(front[second[1]], 2) == 3);
+    CHECK(front[second[1]].fan[2] == 2);
+    // Through the triangle (0 1 4), whose apex becomes 3: it meets the facet (1 0 3) of the first.
+    Id gate = kNone;
+    for (const Id t : second) {
+        const auto& v = front[t].vertex;
+        if (std::find(v.begin(), v.end(), 2u) == v.end()) gate = t;
     }
-    // Were it not for the tree, the last of them would be looked for among thousands.
-    CHECK(front.crowd() > kTets / 2);
-    for (std::size_t t = 0; t < kTets; ++t) REQUIRE(front.find(facet(t)) == facet(t));
-    for (std::size_t t = 0; t < kTets; t += 2) front.erase(facet(t));
-    for (std::size_t t = 0; t < kTets; ++t)
-        REQUIRE(front.find(facet(t)) == (t % 2 == 0 ? kNone : facet(t)));
-    for (std::size_t t = 0; t < kTets; t += 2) front.insert(facet(t));
-    for (std::size_t t = 0; t < kTets; ++t) REQUIRE(front.find(facet(t)) == facet(t));
+    REQUIRE(gate != kNone);
+    const auto third = front.add_tet(gate, 3, 8);
+    Id other = kNone, mine = kNone;
+    for (const Id t : third)
+        for (const Id old : {seed[0], seed[1], seed[2]}) {
+            auto a = front[t].vertex, b = front[old].vertex;
+            std::sort(a.begin(), a.end());
+            std::sort(b.begin(), b.end());
+            if (a == b) mine = t, other = old;
+        }
+    REQUIRE(other != kNone);
+    front.glue(mine, other);
+    std::vector<Id> left;
+    for (const Id t : {seed[0], seed[1], seed[2]})
+        if (t != other) left.push_back(t);
+    for (const Id t : second)
+        if (t != gate) left.push_back(t);
+    for (const Id t : third)
+        if (t != mine) left.push_back(t);
+    check_closed(front, left);
 }
 
-TEST_CASE("facets of an ordinary front hardly crowd") {
-    std::vector<Id> vertex;
-    for (Id i = 0; i < 40000; ++i)
-        for (const Id v : {i, i + 1, i + 2, i + 3}) vertex.push_back(v);
-    TetFront front(vertex);
-    for (Id t = 0; t < vertex.size() / 4; ++t) front.insert(4 * t + 3);
-    for (Id t = 0; t < vertex.size() / 4; ++t) REQUIRE(front.find(4 * t + 3) == 4 * t + 3);
+TEST_CASE("triangles whose vertices are chosen to collide are found, and crowd the tree alone") {
+    constexpr std::size_t kTriangles = 6000;
+    TetFront front;
+    std::vector<Id> triangle;
+    for (const auto& [b, c] : colliding_pairs(kTriangles))
+        triangle.push_back(triangle_of(front, 0, b, c));
+    for (const Id t : triangle) {
+        REQUIRE(front.find(t) == kNone);
+        front.insert(t);
+    }
+    // Were it not for the tree, the last of them would be looked for among thousands.
+    CHECK(front.crowd() > kTriangles / 2);
+    for (const Id t : triangle) REQUIRE(front.find(t) == t);
+    for (std::size_t i = 0; i < kTriangles; i += 2) front.erase(triangle[i]);
+    for (std::size_t i = 0; i < kTriangles; ++i)
+        REQUIRE(front.find(triangle[i]) == (i % 2 == 0 ? kNone : triangle[i]));
+    for (std::size_t i = 0; i < kTriangles; i += 2) front.insert(triangle[i]);
+    for (const Id t : triangle) REQUIRE(front.find(t) == t);
+}
+
+TEST_CASE("triangles of an ordinary front hardly crowd") {
+    TetFront front;
+    std::vector<Id> triangle;
+    for (Id i = 0; i < 40000; ++i) triangle.push_back(triangle_of(front, i, i + 1, i + 2));
+    for (const Id t : triangle) front.insert(t);
+    for (const Id t : triangle) REQUIRE(front.find(t) == t);
     CHECK(front.crowd() < 100);
 }

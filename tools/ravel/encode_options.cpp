@@ -54,8 +54,8 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                   "Restore the order of points and cells and where each polygon starts")
         ->group("Connectivity");
     verb.add_option("--strip-budget", flags.strip_budget,
-                    "Cells that drawing the strip may add where that saves bytes, in percent "
-                    "(2.5 for polygons, 12 for tets if not given)")
+                    "Cells that the strip may add when it is read as the walk runs, in percent (2.5 "
+                    "for polygons, 12 for tets if not given); beyond that it is mended when made")
         ->check(percentage())
         ->type_name("PERCENT")
         ->group("Connectivity");

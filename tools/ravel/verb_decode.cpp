@@ -25,13 +25,13 @@ struct Options {
 Result<Mesh> strip_mesh_of(const Decoded& decoded) {
     auto complex = build_complex(decoded.mesh);
     if (!complex) return complex.error();
-    auto strip = strip_of_steps(*complex, decoded.steps);
-    if (!strip) {
+    if (!decoded.wants_mending) {
+        auto strip = strip_of_steps(*complex, decoded.steps);
+        if (strip) return mesh_of_strip(decoded.mesh, *complex, *strip);
         // Cells that could be glued in several ways may be glued otherwise than they were packed.
-        remark(strip.error().detail + "; the strip is wound anew");
-        strip = build_strip(*complex);
+        remark(strip.error().detail + "; the strip is mended");
     }
-    return mesh_of_strip(decoded.mesh, *complex, *strip);
+    return mesh_of_strip(decoded.mesh, *complex, build_strip(*complex));
 }
 
 ExitCode complain_of_limit(const Options& options, Error error) {
@@ -49,6 +49,7 @@ ExitCode run(const Options& options) {
     if (!bytes) return complain(options.file, bytes.error());
     DecodeOptions limits;
     limits.memory_limit = static_cast<std::uint64_t>(options.memory_gib * 1073741824.0);
+    limits.steps = options.strip;
     progress.now("unpacking");
     auto decoded = decode(*bytes, limits);
     if (!decoded) return complain_of_limit(options, decoded.error());

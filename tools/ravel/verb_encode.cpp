@@ -39,8 +39,8 @@ ExitCode run(const Options& options) {
     const double bits = cells > 0 ? 8.0 * static_cast<double>(packed->bytes.size()) / cells : 0;
     remark(fmt::format(
         "{}: {} {}s on {} strip{}, {} bytes, {:.2f} bits per cell, positions {}", options.output,
-        mesh->cell_count(), name_of(mesh->kind), packed->strip.strips,
-        packed->strip.strips == 1 ? "" : "s", packed->bytes.size(), bits,
+        mesh->cell_count(), name_of(mesh->kind), packed->strip.components,
+        packed->strip.components == 1 ? "" : "s", packed->bytes.size(), bits,
         packed->position_bound == 0 ? std::string("exact")
                                     : fmt::format("within {:.3g}", packed->position_bound)));
     return ExitCode::done;

@@ -30,6 +30,7 @@ Json facts_of(const std::string& file, const FileInfo& info) {
     facts["companions"] = info.companions;
     facts["components"] = info.components;
     facts["links"] = info.links;
+    facts["strip"] = info.wants_mending ? "mended when it is made" : "as the walk runs";
     facts["position_type"] = name_of(info.position_scalar);
     facts["lossless"] = info.lossless_positions;
     facts["position_bits"] = info.position_bits;

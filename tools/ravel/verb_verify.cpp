@@ -63,7 +63,9 @@ ExitCode verify_file(const Options& options) {
     if (!bytes) return complain(options.input, bytes.error());
     auto info = inspect(*bytes);
     if (!info) return complain(options.input, info.error());
-    auto decoded = decode(*bytes);
+    DecodeOptions all;
+    all.steps = true;  // the strip is checked too
+    auto decoded = decode(*bytes, all);
     if (!decoded) return complain(options.input, decoded.error());
     if (Status status = check_mesh(decoded->mesh); !status) {
         complain(options.input, status.error());

@@ -23,17 +23,15 @@
 
 namespace ravel {
 
-enum class FactorMethod : std::uint8_t { steered, euler, two_pass, template_substitution };
-
 struct EncodeOptions {
     // Positions: exact unless one of these is given. They exclude each other.
     std::optional<int> position_bits;  // 1..30 bits along the longest side of the bounding box
     std::optional<double> max_error;   // > 0, largest absolute error of any coordinate
     bool float32 = false;              // round float64 positions to float32 first
     bool keep_order = false;  // restore point and cell order, start corners, tet permutations
-    FactorMethod method = FactorMethod::steered;
-    // Percent of cells that links may add where they save bytes; 2.5 for polygons, 12 for tets if
-    // not given. 0 takes the strip that splits fewest cells.
+    // Percent of cells that the strip may add when it is read as the walk runs; 2.5 for polygons, 12
+    // for tets if not given. Where it adds more the file says that the strip is to be mended when it
+    // is made, which takes time but splits next to no cell. Costs no bytes either way.
     std::optional<double> strip_budget;
     int level = 19;  // zstd's level, 1..22
 };
@@ -47,21 +45,18 @@ struct OrderMaps {             // kTetTurns: the 24 permutations of 0 1 2 3 in l
                // or the number of the permutation in kTetTurns (tets)
 };
 
-struct StripCounts {
-    Index components = 0;  // facet-connected
-    Index cycles = 0;      // of the 2-factor, before merging
-    Index paths = 0;       // of the 2-factor with two cells or more
-    Index singletons = 0;  // of the 2-factor
-    Index fan_merges = 0;
+// The strip of a file, as the walk runs: one per facet-connected component.
+struct WalkStrip {
+    Index components = 0;
     Index links = 0;
-    Index strips = 0;       // always == components
     Index open_strips = 0;  // of those, the ones that do not close
+    Index added_cells = 0;  // once every link splits its two cells
 };
 
 struct Encoded {
     std::vector<std::byte> bytes;
     OrderMaps order;
-    StripCounts strip;
+    WalkStrip strip;
     double position_bound = 0;  // 0 for exact positions
     double position_error = 0;  // largest error, measured with the decoder's arithmetic
 };
@@ -73,14 +68,15 @@ Result<Encoded> encode(const Mesh& mesh, const EncodeOptions& options = {});
 
 struct DecodeOptions {
     std::uint64_t memory_limit = std::uint64_t{16} << 30;  // bytes the decoder may allocate in all
+    bool steps = false;                                    // also tell how the strip runs
 };
 
-// How the strip runs over the decoded mesh, in the order of the strip's first visits (which is the
-// order of the cells, unless the file keeps another). Facet f of a polygon is its side from corner
-// f to f+1; facet f of a tet lies opposite corner f.
+// How the walk runs over the decoded mesh, in the order of its visits (which is the order of the
+// cells, unless the file keeps another), and which of its steps are links of the strip. Facet f of a
+// polygon is its side from corner f to f+1; facet f of a tet lies opposite corner f.
 struct StripStep {
     Index cell = 0;           // of the decoded mesh
-    Index from = kNoIndex;    // the cell the strip came from; kNoIndex at the start of a component
+    Index from = kNoIndex;    // the cell the walk came from; kNoIndex at the start of a component
     std::uint32_t exit = 0;   // facet of `from`
     std::uint32_t entry = 0;  // facet of this cell
     bool link = false;        // the step splits both cells once the strip is materialised
@@ -88,7 +84,8 @@ struct StripStep {
 
 struct Decoded {
     Mesh mesh;
-    std::vector<StripStep> steps;  // one per cell
+    std::vector<StripStep> steps;  // one per cell; empty unless asked for
+    bool wants_mending = false;    // see EncodeOptions::strip_budget
 };
 
 // Unpacks. Any bytes are safe: they give a mesh or an Error. Linear in input plus output.
@@ -103,7 +100,9 @@ struct SectionInfo {
 struct FileInfo {
     int version = 0;
     CellKind kind = CellKind::polygon;
-    Index points = 0, cells = 0, corners = 0, companions = 0, components = 0, links = 0;
+    Index points = 0, cells = 0, corners = 0, companions = 0, components = 0;
+    Index links = 0;  // of the strip as the walk runs
+    bool wants_mending = false;
     Scalar position_scalar = Scalar::f32;
     bool lossless_positions = true;
     bool keeps_order = false;

@@ -133,7 +133,7 @@ typedef struct ravel_summary {
     uint64_t companion_blocks, attributes;
     uint32_t position_scalar;   /* RAVEL_F32 or RAVEL_F64 */
     uint32_t exact_positions;   /* 1: bit for bit; of files only, as all that follows */
-    uint64_t components, links; /* of the strip */
+    uint64_t components, links; /* of the strip as the walk runs */
     uint32_t keeps_order;       /* 1: points and cells come back in the order they had */
     uint32_t format_version;
     double position_bound, position_error; /* allowed and measured, 0 for exact positions */
@@ -147,7 +147,7 @@ typedef struct ravel_mesh ravel_mesh;
 
 typedef struct ravel_decode_options {
     uint32_t struct_size;
-    uint32_t reserved;     /* 0 */
+    uint32_t strip;        /* 1: also how the strip runs, 0: not (its arrays are then empty) */
     uint64_t memory_limit; /* bytes the decoder may take in all, 16 GiB unless set */
 } ravel_decode_options;
 void ravel_decode_options_init(ravel_decode_options* options);
@@ -291,7 +291,7 @@ typedef struct ravel_encode_options {
     uint32_t struct_size;
     int32_t position_bits; /* 1..30 along the longest side; 0: exact, or as max_error says */
     double max_error;      /* largest error of any coordinate; 0: exact, or as bits say */
-    double strip_budget;   /* percent of cells that links may split; < 0: ravel's choice */
+    double strip_budget;   /* percent of cells the strip may add unmended; < 0: ravel's choice */
     int32_t level;         /* zstd's, 1..22 */
     uint32_t keep_order;   /* 1: the order of points and cells comes back */
     uint32_t float32;      /* 1: round F64 positions to F32 first */

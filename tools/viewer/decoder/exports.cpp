@@ -51,6 +51,7 @@ __attribute__((export_name("decode"))) void ravel_web_decode(double memory_limit
                                                              bool surface) {
     DecodeOptions options;
     options.memory_limit = static_cast<std::uint64_t>(memory_limit);
+    options.steps = strip;
     Result<Decoded> decoded = decode(answer.input, options);
     answer.input = Bytes();
     if (!decoded) return describe(decoded.error(), answer.reply);
