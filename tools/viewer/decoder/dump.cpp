@@ -20,7 +20,9 @@ void put_array(Reply& reply, const void* data, std::size_t size) {
 namespace {
 
 void answer(std::span<const std::byte> bytes, Reply& reply) {
-    Result<Decoded> decoded = decode(bytes);
+    DecodeOptions all;
+    all.steps = true;
+    Result<Decoded> decoded = decode(bytes, all);
     std::vector<Bytes> more;
     reply = {};
     if (decoded)
