@@ -38,7 +38,6 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     NumberFormat& numbers = format.numbers;
     format.narrow = head.position_scalar == Scalar::f32;
     const std::uint8_t flags = in.u8(), fitted = in.u8();
-    format.coarseness = flags & 3;
     format.has_outliers = (flags & 4) != 0;
     numbers.has_minus_zero = (flags & 8) != 0;
     format.has_levels = (flags & 128) != 0;
@@ -46,7 +45,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
     bool sane =
-        base <= 2 && (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
+        (flags & 3) == 0 && base <= 2 && (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
         const std::int64_t places = unzigzag(in.varint());
         const bool decimal = numbers.base == NumberBase::decimal;
@@ -167,6 +166,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     ByteReader in(position_bytes, section.at);
     Result<PositionFormat> format = read_position_format(in, file.head);
     if (!format) return format.error();
+    format->mirrored = block.mirrored;
     WalkLimits limits;
     limits.cells = static_cast<Id>(block.cells);
     limits.corners = static_cast<Id>(block.corners);

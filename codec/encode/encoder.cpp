@@ -208,7 +208,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         choose_grid(complex, walk_plan.places, block);
         limits.grid_side = static_cast<double>(block.grid_side);
         limits.grid_count = block.grid_count;
-        limits.mirrored = block.mirrored;
+        limits.mirrored = plan->format.mirrored = block.mirrored;
     }
     const Course course =
         mesh.kind == CellKind::tet

@@ -50,13 +50,11 @@ double near_log2(double x) {
 }
 
 // About what the residuals cost, in bits. Only whole steps cost anything.
-double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit,
-               double step) {
+double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_t n, double unit) {
     double bits = 0;
     for (const Sample& s : samples) {
         double e = std::abs(error_of(s, w, n));
-        e = std::nearbyint(e / step) * step;
-        bits += near_log2(1 + e / unit);
+        bits += near_log2(1 + std::nearbyint(e) / unit);
     }
     return bits;
 }
@@ -64,8 +62,8 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<std::array<double, 3>>& values,
-                    const std::vector<bool>& skip) {
+                    const std::vector<Point3>& values,
+                    const std::vector<bool>& skip, bool mirrored) {
     constexpr std::size_t kMostSamples = 3 * 16384;
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
@@ -77,15 +75,15 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         if (stencil.configuration == Configuration::seed || (!skip.empty() && skip[v])) continue;
         const std::size_t stride = 3 * total[c] / kMostSamples + 1;
         if (seen[c]++ % stride != 0) continue;
+        const Features f = features_of(stencil, values, mirrored);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto f = features_of<double>(
-                stencil.configuration, [&](std::size_t i) { return values[stencil.at[i]][axis]; },
-                [&](std::size_t i) { return stencil.at[i] != kNone; });
-            const double wanted =
-                values[v][axis] * static_cast<double>(divisor_of(stencil.configuration));
-            const Sample sample{f.feature, wanted - f.base};
+            Sample sample;
+            sample.y = values[v][axis] - f.base[axis];
             double all = sample.y;
-            for (const double x : sample.x) all += x;
+            for (std::size_t i = 0; i < kFeatures; ++i) {
+                sample.x[i] = f.feature[i][axis];
+                all += sample.x[i];
+            }
             if (std::isfinite(all)) samples[c].push_back(sample);
         }
     }
@@ -100,8 +98,7 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
         // What counts as no error: a fraction of a unit, or of a large error.
         const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
         std::nth_element(sizes.begin(), large, sizes.end());
-        const double unit = std::max(
-            *large / 4096, 0.25 * static_cast<double>(divisor_of(static_cast<Configuration>(c))));
+        const double unit = std::max(*large / 4096, 0.25);
         for (int round = 0; round < 5; ++round) {
             std::array<std::array<double, kFeatures>, kFeatures> a{};
             Solution b{};
@@ -123,9 +120,8 @@ Weights fit_weights(const std::vector<Stencil>& stencils,
             rounded[i] = std::isfinite(scaled) ? scaled / 4096 : preset[i];
         }
         const double stored_bits = 16.0 * static_cast<double>(n) + 8;
-        const auto step = static_cast<double>(divisor_of(static_cast<Configuration>(c)));
-        if (cost_of(samples[c], rounded, n, unit, step) + stored_bits <
-            cost_of(samples[c], preset, n, unit, step))
+        if (cost_of(samples[c], rounded, n, unit) + stored_bits <
+            cost_of(samples[c], preset, n, unit))
             for (std::size_t i = 0; i < n; ++i)
                 weights[c][i] = static_cast<std::int16_t>(std::lround(rounded[i] * 4096));
     }

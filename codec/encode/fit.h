@@ -14,7 +14,7 @@ namespace ravel {
 // thousand vertices per configuration. A configuration keeps the default weights where fitting does
 // not pay for storing.
 Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<std::array<double, 3>>& values,
-                    const std::vector<bool>& skip);
+                    const std::vector<Point3>& values,
+                    const std::vector<bool>& skip, bool mirrored);
 
 }  // namespace ravel

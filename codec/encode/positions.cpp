@@ -243,7 +243,7 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
     for (std::size_t c = 0; c < kConfigurations; ++c)
         if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
     out.u8(static_cast<std::uint8_t>(
-        format.coarseness | (format.has_outliers ? 4 : 0) |
+        (format.has_outliers ? 4 : 0) |
         (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
         (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
     out.u8(static_cast<std::uint8_t>(fitted | (format.has_follows ? 128 : 0)));
@@ -307,8 +307,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         if (!outlier) places[v] = units_of(plan, p);
         if (!skip[v]) firm.push_back(places[v]);
     }
-    plan.format.weights = fit_weights(record.stencils, places, skip);
-    plan.format.coarseness = vertices < 400 ? 2 : vertices < 3000 ? 1 : 0;
+    plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored);
 
     // What helps one mesh costs another a flag per vertex: it stays where it makes the bytes fewer.
     Bytes best = write_head_and_bits(plan, complex, record, unused);

@@ -26,7 +26,7 @@ struct PositionFormat {
     NumberFormat numbers;
     bool narrow = true;         // float32
     bool has_outliers = false;  // some vertices are stored bit for bit instead
-    int coarseness = 0;         // of residual contexts
+    bool mirrored = false;      // tets, most of which are inside out
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
     bool has_follows = false;  // parts repeat: see follows.h
@@ -60,7 +60,7 @@ class PositionCodes {
   public:
     // `vertices`: about how many there will be, unused points among them.
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
-        : coder_(coder), format_(format), sizes_(format.coarseness) {
+        : coder_(coder), format_(format) {
         if (!format_.echoes.empty()) index_.emplace(format_.cube_bits, vertices);
         if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
@@ -105,12 +105,12 @@ class PositionCodes {
         }
         prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
                                                                                     : kNone;
-        std::uint32_t expected = sizes_.expected(stencil), sum = 0;
+        sizes_.begin(stencil);
         Point3 value{}, exact{};
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
             Number number = truth[axis];
-            std::uint32_t size = 0;
+            std::uint64_t size = 0;
             bool same = false;
             const auto a = static_cast<std::uint32_t>(axis);
             if (echoed) {
@@ -127,7 +127,7 @@ class PositionCodes {
                     if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    code_whole(kEchoClass + family + a, found.whole[axis], number.whole, size);
+                    size = code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
                 }
             } else {
                 if (format_.has_levels) same = code_level(stencil, axis, whole[axis], number);
@@ -135,7 +135,7 @@ class PositionCodes {
                     value[axis] = values_[level_vertex_][axis];
                     if (keeps_exact_) exact[axis] = exact_[level_vertex_][axis];
                 } else {
-                    code_whole(sizes_.context(expected), whole[axis], number.whole, size);
+                    size = code_whole(sizes_.scale(axis), whole[axis], number.whole);
                 }
             }
             if (!same) {
@@ -145,17 +145,21 @@ class PositionCodes {
                 value[axis] = s.units;
                 exact[axis] = s.exact;
             }
-            sum += size;
-            expected = (expected + 2 * size + 1) / 2;
+            sizes_.coded(axis, size);
         }
-        add(value, exact, echoed ? sizes_.expected(stencil) / 2 : (sum + 1) / 3);
+        if (echoed)
+            sizes_.push_half();
+        else
+            sizes_.push();
+        add(value, exact);
         return sane;
     }
 
     // A vertex at the place of an earlier one.
     void copy(Id of) {
         const Point3 value = values_[of];
-        add(value, keeps_exact_ ? exact_[of] : Point3{}, 0);
+        sizes_.push_nothing();
+        add(value, keeps_exact_ ? exact_[of] : Point3{});
         if (format_.has_outliers) outliers_.push_back(false);
     }
 
@@ -184,10 +188,9 @@ class PositionCodes {
         bool copies = false;                  // its coordinates are known to the last bit
     };
 
-    void add(const Point3& value, const Point3& exact, std::uint32_t size) {
+    void add(const Point3& value, const Point3& exact) {
         values_.push_back(value);
         if (keeps_exact_) exact_.push_back(exact);
-        sizes_.push(size);
         if (index_) index_->insert(value);
         if (courses_) courses_->insert(static_cast<Id>(values_.size() - 1));
     }
@@ -198,19 +201,17 @@ class PositionCodes {
             bits[axis] = coder_.plain(truth[axis].rest, format_.narrow ? 32 : 64);
         raw_.push_back(bits);
         const Id of = stencil.at[0];
+        sizes_.begin(stencil);
+        sizes_.push_half();
         add(of != kNone ? values_[of] : Point3{},
-            of != kNone && keeps_exact_ ? exact_[of] : Point3{}, sizes_.expected(stencil) / 2);
+            of != kNone && keeps_exact_ ? exact_[of] : Point3{});
     }
 
     Point3 guess_at(const Stencil& stencil) const {
-        Point3 g;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto f = features_of<double>(
-                stencil.configuration, [&](std::size_t i) { return values_[stencil.at[i]][axis]; },
-                [&](std::size_t i) { return stencil.at[i] != kNone; });
-            const auto most = static_cast<double>(most_);
-            g[axis] = std::clamp(guess(stencil.configuration, f, format_.weights), -most, most);
-        }
+        Point3 g = guess(stencil.configuration, features_of(stencil, values_, format_.mirrored),
+                         format_.weights);
+        const auto most = static_cast<double>(most_);
+        for (double& x : g) x = std::clamp(x, -most, most);
         return g;
     }
     // The whole part nearest to a value; where there are digits behind the point they are cut off.
@@ -339,12 +340,13 @@ class PositionCodes {
         return same;
     }
 
-    void code_whole(std::uint32_t context, std::int64_t guess, std::int64_t& whole,
-                    std::uint32_t& size) {
-        const std::int64_t r = code_residual(coder_, context, whole - guess, size);
+    // Returns how far the guess was off.
+    std::uint64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole) {
+        const std::int64_t r = code_residual(coder_, scale, whole - guess);
         // A file may hold any residual: the sum wraps.
         whole = static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
                                           static_cast<std::uint64_t>(r));
+        return magnitude(r);
     }
 
     // What lies behind the point, and the sign of zero.
@@ -412,7 +414,5 @@ class PositionCodes {
     Id level_vertex_ = 0, prior_ = kNone;
     std::array<bool, 3> minus_zero_{}, was_zero_{};
 };
-
-inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::count);
 
 }  // namespace ravel

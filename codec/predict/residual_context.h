@@ -1,7 +1,8 @@
 // Under which contexts the residual of a coordinate is coded: by how large the residuals of the
-// vertices it was guessed from were, and the residual of the axis before.
+// vertices it was guessed from were, and those of the axes before.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -13,16 +14,17 @@
 
 namespace ravel {
 
-// A residual r is coded as the bit width of |r| (a path of six yes/no down a binary tree, 63
-// meaning 63 or 64), its sign, the bit below the highest under a context, and the rest as they are.
-inline constexpr std::uint32_t kSizeContexts = 40;
-inline constexpr std::uint32_t kEchoClass = kSizeContexts;  // then those of followers: per axis
-inline constexpr std::uint32_t kSizeNodes = 64;
+// A residual r is coded as: is it 0? Has |r| at least so many bits as expected; then step by step
+// upwards, or downwards, how many it has. The bit below the highest has a context, the rest are as
+// they are, and so is the sign.
+inline constexpr std::uint32_t kScales = 96;           // half octaves of the expected |r|
+inline constexpr std::uint32_t kEchoScale = kScales;   // per axis; then those of followers
+inline constexpr std::uint32_t kUpSteps = 21, kDownSteps = 10;
+inline constexpr std::uint32_t kSizeNodes = 2 + kUpSteps + kDownSteps;
 
 struct ResidualContexts {
-    static constexpr ContextBlock size{0, kEchoClass + 3, kSizeNodes};
-    static constexpr ContextBlock size64{size.end(), 1};
-    static constexpr ContextBlock second{size64.end(), 64, 1};
+    static constexpr ContextBlock size{0, kScales + 6, kSizeNodes};
+    static constexpr ContextBlock second{size.end(), 16, 16};  // size against expected, size
     static constexpr ContextBlock outlier{second.end(), 1};
     static constexpr ContextBlock echo{outlier.end(), 24, 8};
     static constexpr ContextBlock same{echo.end(), 3, 4};
@@ -36,60 +38,102 @@ struct ResidualContexts {
     static constexpr Context count = follow_same.end();
 };
 
-// The residual sizes of all vertices so far, and from them the class of the next. `coarseness`
-// merges classes (2^coarseness to one), for meshes with few vertices.
+// What a residual is expected to be like.
+struct Scale {
+    std::uint32_t context = 0;  // of ResidualContexts::size
+    std::uint32_t bits = 2;     // |r| is about as likely to have so many bits as fewer
+};
+
+// The magnitudes of all residuals so far, and from them the scale of the next.
 class ResidualSizes {
   public:
-    explicit ResidualSizes(int coarseness) : coarseness_(coarseness) {}
+    using Magnitudes = std::array<std::uint64_t, 3>;  // per axis, at most kMost
 
-    void reserve(std::size_t vertices) { sizes_.reserve(vertices); }
-    // In halves of a bit; configurations differ in how many vertices they look at.
-    std::uint32_t expected(const Stencil& stencil) const {
-        std::uint32_t sum = 0, n = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (stencil.at[i] != kNone) sum += sizes_[stencil.at[i]], ++n;
-        return n == 0 ? 16 : (2 * sum + n / 2) / n;
+    ResidualSizes() { usual_.fill(kStart); }
+    void reserve(std::size_t vertices) { magnitudes_.reserve(vertices); }
+
+    // Before the residuals of a vertex are coded.
+    void begin(const Stencil& stencil) {
+        Magnitudes sum{};
+        std::uint64_t n = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (stencil.at[i] == kNone) continue;
+            ++n;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                sum[axis] += magnitudes_[stencil.at[i]][axis];
+        }
+        usual_of_ = &usual_[static_cast<std::size_t>(stencil.configuration)];
+        const std::uint64_t all = sum[0] + sum[1] + sum[2];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // 13/16 of the axis itself, 3/16 of the mean over the axes; in sixteenths.
+            const std::uint64_t near = n == 0 ? *usual_of_ : (13 * sum[axis] + all) / n;
+            expected_[axis] = (29 * near + 3 * *usual_of_) >> 5;
+            mean_[axis] = n == 0 ? 0 : sum[axis] / n;
+        }
+        now_ = {};
+        done_ = 0;
     }
-    std::uint32_t context(std::uint32_t expected_halves) const {
-        // Every half below 12 bits, every second above.
-        const std::uint32_t c =
-            expected_halves < 24 ? expected_halves : 24 + (expected_halves - 24) / 4;
-        return c >> coarseness_;
+    Scale scale(std::size_t axis) const {
+        std::uint64_t e = expected_[axis];
+        if (axis == 1) e = (13 * e + 3 * 16 * done_) >> 4;
+        if (axis == 2) e = (23 * e + 9 * 8 * done_) >> 5;
+        const std::uint64_t x = e + 1;
+        const auto b = static_cast<std::uint32_t>(std::bit_width(x)) - 1;
+        const bool half = (x << 15 >> b) >= 46341;  // the square root of 2
+        return {std::min(2 * b + (half ? 1u : 0u), kScales - 1), b < 5 ? 2 : b - 3};
     }
-    void push(std::uint32_t size) { sizes_.push_back(static_cast<std::uint8_t>(size)); }
+    void coded(std::size_t axis, std::uint64_t magnitude) {
+        now_[axis] = std::min(magnitude, kMost);
+        done_ += now_[axis];
+    }
+    void push() {
+        magnitudes_.push_back(now_);
+        *usual_of_ += ((16 * done_ / 3 + 31) >> 5) - ((*usual_of_ + 31) >> 5);
+    }
+    // A vertex that was not guessed: as half of what is around it, or as nothing.
+    void push_half() { magnitudes_.push_back({mean_[0] / 2, mean_[1] / 2, mean_[2] / 2}); }
+    void push_nothing() { magnitudes_.push_back({}); }
 
   private:
-    int coarseness_;
-    std::vector<std::uint8_t> sizes_;  // mean bit width of a vertex's residuals
+    static constexpr std::uint64_t kMost = std::uint64_t{1} << 40, kStart = 256;
+
+    std::vector<Magnitudes> magnitudes_;
+    std::array<std::uint64_t, static_cast<std::size_t>(Configuration::count)> usual_;
+    std::uint64_t* usual_of_ = nullptr;
+    Magnitudes expected_{}, mean_{}, now_{};
+    std::uint64_t done_ = 0;
 };
 
 // Codes r through `coder` (the encoder's writes it, the decoder's returns what it reads):
 //     bool flag(Context, bool truth)      uint64 plain(uint64 truth, int count)
 template <class Coder>
-std::int64_t code_residual(Coder& coder, std::uint32_t context, std::int64_t r,
-                           std::uint32_t& size_out) {
+std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r) {
     using C = ResidualContexts;
     const std::uint64_t m = magnitude(r);
-    const auto true_size = static_cast<std::uint32_t>(std::bit_width(m));
-    const std::uint32_t capped = true_size < 63 ? true_size : 63;
-    std::uint32_t node = 1;
-    for (int level = 5; level >= 0; --level)
-        node = node << 1 | coder.flag(C::size.at(context, node), (capped >> level & 1) != 0);
-    std::uint32_t size = node & 63;
-    if (size == 63 && coder.flag(C::size64.at(0), true_size == 64)) size = 64;
-    size_out = size;
-    if (size == 0) return 0;
+    const auto truth = static_cast<std::uint32_t>(std::bit_width(m));
+    const Context nodes = C::size.at(scale.context);
+    if (coder.flag(nodes, truth == 0)) return 0;
+    std::uint32_t size = scale.bits;
+    if (coder.flag(nodes + 1, truth >= size)) {
+        for (std::uint32_t step = 0; size < 64; ++size, ++step)
+            if (!coder.flag(nodes + 2 + std::min(step, kUpSteps - 1), truth > size)) break;
+    } else {
+        std::uint32_t step = 0;
+        for (--size; size > 1; --size, ++step)
+            if (coder.flag(nodes + 2 + kUpSteps + std::min(step, kDownSteps - 1), truth == size))
+                break;
+    }
     std::uint64_t value = 1;
     if (size >= 2) {
-        value = value << 1 | coder.flag(C::second.at(size - 1), (m >> (size - 2) & 1) != 0);
-        const int rest = static_cast<int>(size) - 2;
-        if (rest > 0) {
-            const std::uint64_t low = coder.plain(m & ((std::uint64_t{1} << rest) - 1), rest);
-            value = value << rest | low;
-        }
+        const std::uint32_t against = std::clamp(size + 8, scale.bits, scale.bits + 15) - scale.bits;
+        value = value << 1 | coder.flag(C::second.at(against, size), (m >> (size - 2) & 1) != 0);
     }
-    const bool negative = coder.plain(r < 0, 1) != 0;
-    return static_cast<std::int64_t>(negative ? std::uint64_t{0} - value : value);
+    // The rest of |r|, then the sign.
+    const int rest = size >= 2 ? static_cast<int>(size) - 2 : 0;
+    const std::uint64_t mask = (std::uint64_t{1} << rest) - 1;
+    const std::uint64_t low = coder.plain((m & mask) << 1 | (r < 0 ? 1 : 0), rest + 1);
+    value = value << rest | low >> 1;
+    return static_cast<std::int64_t>((low & 1) != 0 ? std::uint64_t{0} - value : value);
 }
 
 }  // namespace ravel
