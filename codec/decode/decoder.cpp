@@ -10,6 +10,7 @@
 #include "decode/file.h"
 #include "decode/payload.h"
 #include "decode/walk_driver.h"
+#include "walk/priors.h"
 #include "walk/read_strip.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
@@ -44,8 +45,8 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     format.has_follows = fitted >> kConfigurations != 0;
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
-    bool sane =
-        (flags & 3) == 0 && base <= 2 && (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
+    bool sane = (flags & 3) == 0 && base <= 2 && (base == 0) == !head.lossless &&
+                (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
         const std::int64_t places = unzigzag(in.varint());
         const bool decimal = numbers.base == NumberBase::decimal;
@@ -131,16 +132,15 @@ void write_cells(const Walked& walked, const std::vector<Id>& point,
                  const std::vector<std::uint8_t>& flipped, Mesh& mesh) {
     mesh.corners.resize(walked.vertex.size());
     if (mesh.kind == CellKind::polygon) {
-        mesh.corner_begin.resize(walked.first.size());
-        for (std::size_t c = 0; c < walked.first.size(); ++c)
-            mesh.corner_begin[c] = walked.first[c];
+        mesh.corner_begin.resize(std::size_t{walked.cell_count()} + 1);
+        for (Id c = 0; c < walked.cell_count(); ++c) mesh.corner_begin[c + 1] = walked.end(c);
     }
     for (std::size_t i = 0; i < walked.vertex.size(); ++i)
         mesh.corners[i] = point[walked.vertex[i]];
-    for (std::size_t c = 0; c < flipped.size(); ++c) {
+    for (Id c = 0; c < flipped.size(); ++c) {
         if (!flipped[c]) continue;
-        const auto begin = mesh.corners.begin() + walked.first[c],
-                   end = mesh.corners.begin() + walked.first[c + 1];
+        const auto begin = mesh.corners.begin() + walked.begin(c),
+                   end = mesh.corners.begin() + walked.end(c);
         if (mesh.kind == CellKind::tet)
             std::swap(begin[2], begin[3]);
         else if (begin != end)
@@ -192,7 +192,9 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     PositionCodes<ReadingCoder> positions(coder, *format, points);
     positions.reserve(points);
     const bool tets = file.head.kind == CellKind::tet;
-    DecodeDriver driver(codes, positions, position_bits, tets ? tet::kContexts : surface::kContexts,
+    DecodeDriver driver(codes, positions, position_bits,
+                        tets ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
+                             : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen),
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
                         tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies,
@@ -318,8 +320,8 @@ namespace {
 // swapped; a kept order turns cells too.
 std::uint32_t local_facet(const DecodedWalk& walk, Id facet) {
     const Walked& walked = walk.walked;
-    const Id cell = walked.cell_of[facet], degree = walked.first[cell + 1] - walked.first[cell];
-    Id i = facet - walked.first[cell];
+    const Id cell = walked.cell_of(facet), degree = walked.degree(cell);
+    Id i = facet - walked.begin(cell);
     if (!walk.flipped.empty() && walk.flipped[cell])
         i = walked.kind == CellKind::polygon ? degree - 1 - i : i < 2 ? i : 5 - i;
     return walk.turn.empty() ? i : old_corner(walked.kind, walk.turn[cell], degree, i);
@@ -337,7 +339,7 @@ Result<std::vector<StripStep>> steps_of(const DecodedWalk& walk) {
         StripStep& step = steps[c];
         step.cell = walk.cell[c];
         if (walked.gate[c] == kNone) continue;
-        step.from = walk.cell[walked.cell_of[walked.gate[c]]];
+        step.from = walk.cell[walked.cell_of(walked.gate[c])];
         step.exit = local_facet(walk, walked.gate[c]);
         step.entry = local_facet(walk, walked.entry(c));
         step.link = strip.link[c] != 0;

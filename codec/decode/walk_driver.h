@@ -6,8 +6,10 @@
 
 #include "base/bytes.h"
 #include "entropy/flag_decoder.h"
+#include "entropy/priors.h"
 #include "mesh/stencil.h"
 #include "predict/position_codes.h"
+#include "predict/priors.h"
 #include "walk/walk.h"
 
 namespace ravel {
@@ -16,7 +18,8 @@ namespace ravel {
 struct ReadingCoder {
     static constexpr bool kWrites = false;
     FlagDecoder& in;
-    std::vector<FlagModel> models = std::vector<FlagModel>(ResidualContexts::count);
+    std::vector<FlagModel> models =
+        models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen);
     bool flag(Context context, bool) { return in.flag(models[context]); }
     std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
 };
@@ -25,12 +28,12 @@ struct ReadingCoder {
 class DecodeDriver {
   public:
     DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
-                 const FlagDecoder& position_bits, Context contexts, Context copy,
+                 const FlagDecoder& position_bits, std::vector<FlagModel> models, Context copy,
                  Context copy_number, Context flip, bool has_copies, bool has_flips)
         : in_(codes),
           positions_(positions),
           position_bits_(position_bits),
-          models_(contexts),
+          models_(std::move(models)),
           copy_(copy),
           copy_number_(copy_number),
           flip_(flip),

@@ -61,8 +61,7 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
 
 }  // namespace
 
-Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<Point3>& values,
+Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored) {
     constexpr std::size_t kMostSamples = 3 * 16384;
     Weights weights = kDefaultWeights;

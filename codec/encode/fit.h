@@ -13,8 +13,7 @@ namespace ravel {
 // passed over. Weighted least squares, reweighted towards least absolute error, on at most some ten
 // thousand vertices per configuration. A configuration keeps the default weights where fitting does
 // not pay for storing.
-Weights fit_weights(const std::vector<Stencil>& stencils,
-                    const std::vector<Point3>& values,
+Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored);
 
 }  // namespace ravel

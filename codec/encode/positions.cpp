@@ -8,6 +8,8 @@
 #include "encode/echoes.h"
 #include "encode/fit.h"
 #include "encode/numbers.h"
+#include "entropy/priors.h"
+#include "predict/priors.h"
 
 namespace ravel {
 namespace {
@@ -124,7 +126,8 @@ Point3 units_of(const PositionPlan& plan, std::size_t p) {
 struct WritingCoder {
     static constexpr bool kWrites = true;
     FlagEncoder& out;
-    std::vector<FlagModel> models = std::vector<FlagModel>(ResidualContexts::count);
+    std::vector<FlagModel> models =
+        models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen);
     bool flag(Context context, bool truth) {
         out.flag(models[context], truth);
         return truth;
@@ -243,9 +246,9 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
     for (std::size_t c = 0; c < kConfigurations; ++c)
         if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
     out.u8(static_cast<std::uint8_t>(
-        (format.has_outliers ? 4 : 0) |
-        (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
-        (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
+        (format.has_outliers ? 4 : 0) | (format.numbers.has_minus_zero ? 8 : 0) |
+        static_cast<int>(format.numbers.base) << 4 | (format.echoes.empty() ? 0 : 64) |
+        (format.has_levels ? 128 : 0)));
     out.u8(static_cast<std::uint8_t>(fitted | (format.has_follows ? 128 : 0)));
     if (!format.grid()) {
         out.varint(zigzag(format.numbers.places));

@@ -21,7 +21,15 @@ struct WalkRecord {
     std::vector<Stencil> stencils;  // per vertex of the walk
     std::vector<Id> vertex_of;      // vertex of the walk -> vertex of the complex
     std::vector<Id> copy_of;        // vertex of the walk -> earlier one at the same point, or kNone
-    FlagEncoder codes;
+};
+
+// Where the answers go: into flags under models that know the walk's priors.
+struct WalkCodes {
+    FlagEncoder out;
+    std::vector<FlagModel> models;
+
+    void flag(Context context, bool truth) { out.flag(models[context], truth); }
+    void plain(std::uint64_t truth, int count) { out.plain(truth, count); }
 };
 
 // What the walk is to follow: where it starts in each component, and where the points are.
@@ -32,13 +40,14 @@ struct WalkPlan {
     std::vector<bool> outlier;   // per point; empty where there are none
 };
 
+template <class Codes>
 class EncodeDriver {
   public:
-    EncodeDriver(const Complex& complex, const WalkPlan& plan, Context contexts, Context copy,
+    EncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, Context copy,
                  Context copy_number, Context flip, bool has_copies, bool has_flips)
         : complex_(complex),
           plan_(plan),
-          models_(contexts),
+          codes_(codes),
           copy_(copy),
           copy_number_(copy_number),
           flip_(flip),
@@ -55,14 +64,14 @@ class EncodeDriver {
     }
 
     bool flag(Context context, bool truth) {
-        record_.codes.flag(models_[context], truth);
+        codes_.flag(context, truth);
         return truth;
     }
     std::uint64_t number(Context base, std::uint64_t truth) {
         const auto bits = static_cast<std::uint32_t>(std::bit_width(truth + 1));
         for (std::uint32_t i = 1; i < bits; ++i) flag(base + i - 1, true);
         if (bits < kNumberSteps) flag(base + bits - 1, false);
-        record_.codes.plain(truth + 1, static_cast<int>(bits) - 1);
+        codes_.plain(truth + 1, static_cast<int>(bits) - 1);
         return truth;
     }
     bool failed() const { return false; }
@@ -107,7 +116,7 @@ class EncodeDriver {
 
     const Complex& complex_;
     const WalkPlan& plan_;
-    std::vector<FlagModel> models_;
+    Codes& codes_;
     const Context copy_, copy_number_, flip_;
     const bool has_copies_, has_flips_;
     std::vector<Id> walk_vertex_;     // complex vertex -> walk vertex
@@ -136,16 +145,22 @@ class EncodeDriver {
     bool last_was_copy_ = false, last_flip_ = false;
 };
 
-class SurfaceEncodeDriver : public EncodeDriver {
+template <class Codes>
+class SurfaceEncodeDriver : public EncodeDriver<Codes> {
+    using Base = EncodeDriver<Codes>;
+    using Base::cell_, Base::complex_, Base::corners_, Base::record_, Base::visited,
+        Base::walk_facet_, Base::walk_vertex_;
+
   public:
-    SurfaceEncodeDriver(const Complex& complex, const WalkPlan& plan, bool copies, bool flips)
-        : EncodeDriver(complex, plan, surface::kContexts, surface::kCopy.base,
-                       surface::kCopyOf.base, surface::kFlip.base, copies, flips) {}
+    SurfaceEncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, bool copies,
+                        bool flips)
+        : Base(complex, plan, codes, surface::kCopy.base, surface::kCopyOf.base,
+               surface::kFlip.base, copies, flips) {}
 
     void begin_cell(Id gate) {
         Seed start;
         if (gate == kNone) {
-            start = next_seed();
+            start = this->next_seed();
         } else {
             start.facet = complex_.twin[record_.facet_of[gate]];
             start.cell = complex_.cell_of[start.facet];
@@ -181,15 +196,21 @@ class SurfaceEncodeDriver : public EncodeDriver {
     }
 };
 
-class TetEncodeDriver : public EncodeDriver {
+template <class Codes>
+class TetEncodeDriver : public EncodeDriver<Codes> {
+    using Base = EncodeDriver<Codes>;
+    using Base::cell_, Base::complex_, Base::corners_, Base::record_, Base::visited,
+        Base::walk_vertex_;
+
   public:
-    TetEncodeDriver(const Complex& complex, const WalkPlan& plan, bool copies, bool flips)
-        : EncodeDriver(complex, plan, tet::kContexts, tet::kCopy.base, tet::kCopyOf.base,
-                       tet::kFlip.base, copies, flips) {}
+    TetEncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, bool copies,
+                    bool flips)
+        : Base(complex, plan, codes, tet::kCopy.base, tet::kCopyOf.base, tet::kFlip.base, copies,
+               flips) {}
 
     void begin_cell(Id gate) {
         if (gate == kNone) {
-            const Seed& seed = next_seed();
+            const Seed& seed = this->next_seed();
             const Id base = 4 * seed.cell;
             const auto& triple = kOutward[seed.facet & 3];
             cell_ = seed.cell;

@@ -2,6 +2,7 @@
 // tells.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -19,8 +20,8 @@ class FlagDecoder {
         const auto c = static_cast<std::size_t>(model.flag_class());
         Run& run = runs_[c];
         if (run.left == 0) fetch(run, kRunOf[c]);
-        const bool missed = --run.left == 0 && run.ends_in_miss;
-        const bool yes = model.likely() != missed;
+        --run.left;
+        const bool yes = model.likely() != (run.left == run.miss);
         model.update(yes);
         return yes;
     }
@@ -31,22 +32,24 @@ class FlagDecoder {
     }
 
     // More bits were asked for than there are: the stream is cut or not one of ours.
-    bool exhausted() const { return past_ > 0; }
+    bool exhausted() const { return 8 * past_ > static_cast<std::uint64_t>(held_); }
     // All bits were used, but for the padding of the last byte, which is zero.
     bool finished() const {
-        return position_ == bytes_.size() && held_ < 8 &&
+        const int left = held_ - static_cast<int>(std::min<std::uint64_t>(8 * past_, 64));
+        return position_ == bytes_.size() && left >= 0 && left < 8 &&
                (hold_ & ((std::uint64_t{1} << held_) - 1)) == 0;
     }
 
   private:
     struct Run {
         std::uint32_t left = 0;
-        bool ends_in_miss = false;
+        std::uint32_t miss = 0;  // what is left once the miss has come: 0, or never
     };
 
     void fetch(Run& run, std::uint32_t full) {
-        run.ends_in_miss = bits(1) == 0;
-        run.left = run.ends_in_miss ? below(full) + 1 : full;
+        const bool ends_in_miss = bits(1) == 0;
+        run.miss = ends_in_miss ? 0 : ~std::uint32_t{0};
+        run.left = ends_in_miss ? below(full) + 1 : full;
     }
     std::uint32_t below(std::uint32_t size) {
         if (size <= 1) return 0;
@@ -57,7 +60,22 @@ class FlagDecoder {
         return static_cast<std::uint32_t>(value << 1 | bits(1)) - brief;
     }
     std::uint64_t bits(int count) {  // count <= 32
-        while (held_ < count) {
+        if (held_ < count) refill();
+        held_ -= count;
+        return hold_ >> held_ & ((std::uint64_t{1} << count) - 1);
+    }
+    void refill() {  // to more than 48 bits
+        if (bytes_.size() - position_ >= 8) {
+            std::uint64_t next = 0;
+            for (std::size_t i = 0; i < 8; ++i)
+                next = next << 8 | static_cast<std::uint64_t>(bytes_[position_ + i]);
+            const int whole = std::min((64 - held_) >> 3, 7);
+            hold_ = hold_ << 8 * whole | next >> (64 - 8 * whole);
+            held_ += 8 * whole;
+            position_ += static_cast<std::size_t>(whole);
+            return;
+        }
+        while (held_ <= 48) {
             std::uint64_t byte = 0;
             if (position_ < bytes_.size())
                 byte = static_cast<std::uint64_t>(bytes_[position_++]);
@@ -66,13 +84,11 @@ class FlagDecoder {
             hold_ = hold_ << 8 | byte;
             held_ += 8;
         }
-        held_ -= count;
-        return hold_ >> held_ & ((std::uint64_t{1} << count) - 1);
     }
 
     std::span<const std::byte> bytes_;
     std::size_t position_ = 0;
-    std::uint64_t past_ = 0;
+    std::uint64_t past_ = 0;  // bytes of zeros put in behind the end
     std::uint64_t hold_ = 0;
     int held_ = 0;
     std::array<Run, kFlagClasses> runs_{};

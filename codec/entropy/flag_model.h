@@ -21,27 +21,19 @@ inline constexpr int kFlagClasses = 15;
 // at the middle of the class.
 inline constexpr std::array<std::uint16_t, kFlagClasses> kRunOf{1,  2,  2,  3,   5,   7,   11,  17,
                                                                 26, 43, 69, 121, 231, 462, 1386};
-// Upper bounds of the chance of a miss, in 1/65536, from class 14 (least) down to class 1; above
+// Upper bounds of the chance of a miss, in 1/4096, from class 14 (least) down to class 1; above
 // the last is class 0.
 inline constexpr std::array<std::uint16_t, kFlagClasses - 1> kClassBound{
-    65, 131, 262, 491, 819, 1310, 2162, 3276, 4915, 7208, 10485, 14417, 19660, 25559};
+    4, 8, 16, 31, 51, 82, 135, 205, 307, 451, 655, 901, 1229, 1597};
 
 namespace detail {
-// Class by the chance of a miss in 1/256, which is exact but for the smallest chances.
-struct ClassTable {
-    std::array<std::uint8_t, 512> fine{};    // chances below 512 / 65536, exactly
-    std::array<std::uint8_t, 129> coarse{};  // chances / 256
-    constexpr ClassTable() {
-        for (unsigned p = 0; p < fine.size(); ++p) fine[p] = of(p);
-        for (unsigned p = 0; p < coarse.size(); ++p) coarse[p] = of(p * 256 + 128);
-    }
-    static constexpr std::uint8_t of(unsigned p) {
-        for (unsigned i = 0; i < kClassBound.size(); ++i)
-            if (p <= kClassBound[i]) return static_cast<std::uint8_t>(kFlagClasses - 1 - i);
-        return 0;
-    }
-};
-inline constexpr ClassTable kClassTable;
+inline constexpr std::array<std::uint8_t, 2049> kClassOf = [] {
+    std::array<std::uint8_t, 2049> of{};
+    for (unsigned p = 0; p < of.size(); ++p)
+        for (unsigned i = kClassBound.size(); i-- > 0;)
+            if (p <= kClassBound[i]) of[p] = static_cast<std::uint8_t>(kFlagClasses - 1 - i);
+    return of;
+}();
 }  // namespace detail
 
 // Two estimates of the chance of "yes" learn at once: `fast` follows the last twenty flags, `slow`
@@ -56,8 +48,8 @@ class FlagModel {
 
     bool likely() const { return chance() >= 32768; }
     int flag_class() const {
-        const unsigned c = chance(), miss = c >= 32768 ? 65536u - c : c;
-        return miss < 512 ? detail::kClassTable.fine[miss] : detail::kClassTable.coarse[miss >> 8];
+        const unsigned c = chance();
+        return detail::kClassOf[(c >= 32768 ? 65535u - c : c) >> 4];
     }
     void update(bool yes) {
         const std::uint32_t goal = yes ? kCertain : 0;

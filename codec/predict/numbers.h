@@ -78,6 +78,10 @@ struct Scaled {
 
 // Needs places + zeros + digits of the rest to be at most kMostPlaces for decimals.
 inline Scaled scaled_of(const NumberFormat& format, const Number& n) {
+    if (format.base == NumberBase::grid) {
+        const auto units = static_cast<double>(n.whole);
+        return {units, units};
+    }
     const bool negative = n.whole < 0 || (n.whole == 0 && n.negative);
     const std::uint64_t m = magnitude(n.whole);
     const int digits = rest_digits(format, n.whole);

@@ -60,7 +60,7 @@ class PositionCodes {
   public:
     // `vertices`: about how many there will be, unused points among them.
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
-        : coder_(coder), format_(format) {
+        : coder_(coder), format_(format), predictor_(format.weights, format.mirrored) {
         if (!format_.echoes.empty()) index_.emplace(format_.cube_bits, vertices);
         if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
@@ -127,7 +127,8 @@ class PositionCodes {
                     if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    size = code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
+                    size =
+                        code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
                 }
             } else {
                 if (format_.has_levels) same = code_level(stencil, axis, whole[axis], number);
@@ -207,9 +208,8 @@ class PositionCodes {
             of != kNone && keeps_exact_ ? exact_[of] : Point3{});
     }
 
-    Point3 guess_at(const Stencil& stencil) const {
-        Point3 g = guess(stencil.configuration, features_of(stencil, values_, format_.mirrored),
-                         format_.weights);
+    Point3 guess_at(const Stencil& stencil) {
+        Point3 g = predictor_.guess(stencil, values_);
         const auto most = static_cast<double>(most_);
         for (double& x : g) x = std::clamp(x, -most, most);
         return g;
@@ -272,7 +272,7 @@ class PositionCodes {
     }
 
     // The vertex as its leader stands among its neighbours.
-    Found find_follow(const Stencil& stencil, Id leader, const Point3& g) const {
+    Found find_follow(const Stencil& stencil, Id leader, const Point3& g) {
         Found found;
         found.vertex = leader;
         const auto v = static_cast<Id>(values_.size());
@@ -401,6 +401,7 @@ class PositionCodes {
 
     Coder& coder_;
     const PositionFormat format_;
+    Predictor predictor_;
     std::int64_t most_ = 0;
     bool keeps_exact_ = false;
     ResidualSizes sizes_;

@@ -36,6 +36,45 @@ inline constexpr Weights kDefaultWeights{{
     {0, -256, 1400, 800, 600, 2800, 0},
 }};
 
+// But for tets base and features are sums of the stencil's points, each so many times. A sum that
+// names a missing point is none.
+using Sum = std::array<std::int8_t, kStencilSize>;
+inline constexpr std::array<std::array<Sum, 1 + kFeatures>, kConfigurations - 1> kSums{{
+    // seed: the base is the last vertex
+    {{{1}, {1, -1}, {0, 1, -1}}},
+    // quad_third [b a v_b u_a w_b w_a]: b carried on
+    {{{2, 0, -1},
+      {1, 0, -1},
+      {-1, 1},
+      {1, -1, -1, 1},
+      {1, 0, -2, 0, 1},
+      {0, 1, 0, -2, 0, 1}}},
+    // quad_fourth [a c b u_a v_b w_a w_b]: the parallelogram a + c - b
+    {{{1, 1, -1},
+      {0, 1, -1},
+      {1, 0, -1},
+      {1, 0, -1, -1, 1},
+      {0, 0, 1, 0, -1},
+      {1, 0, 0, -2, 0, 1},
+      {0, 0, 1, 0, -2, 0, 1}}},
+    // quad_corner [a c b u_a v_b w_a w_b v_c u_b x_c x_b]: the same, and across the zipped side
+    {{{1, 1, -1},
+      {0, 1, -1},
+      {1, 0, -1},
+      {1, 0, -1, -1, 1},
+      {0, 0, 1, 0, -1},
+      {1, 0, 0, -2, 0, 1},
+      {0, 0, 1, 0, -2, 0, 1},
+      {0, 1, -1, 0, 0, 0, 0, -1, 1},
+      {0, 0, 1, 0, 0, 0, 0, 0, -1},
+      {0, 1, 0, 0, 0, 0, 0, -2, 0, 1},
+      {0, 0, 1, 0, 0, 0, 0, 0, -2, 0, 1}}},
+    // triangle [a b u_a v_b]: the parallelogram a + b - u_a
+    {{{1, 1, -1}, {0, 0, -1, 1}, {1, -1}, {0, 1, 0, -1}}},
+    // polygon [x w ww z]: the corner before
+    {{{1}, {1, -1}, {0, 1, -1}, {-1, 0, 0, 1}}},
+}};
+
 namespace detail {
 
 inline Point3 plus(const Point3& a, const Point3& b) {
@@ -46,6 +85,11 @@ inline Point3 times(const Point3& a, double s) {
 }
 inline double length(const Point3& a) {
     return std::sqrt(dot(a, a));
+}
+inline bool names_missing(const Sum& sum, const Stencil& stencil) {
+    for (std::size_t i = 0; i < kStencilSize; ++i)
+        if (sum[i] != 0 && stencil.at[i] == kNone) return true;
+    return false;
 }
 
 // x0 x1 x2 o y0 y1 y2: the gate, the apex behind it, the apexes across its edges.
@@ -64,7 +108,8 @@ inline void tet_features(const std::array<Point3, kStencilSize>& p, bool mirrore
         const Point3 up = times(n, (mirrored ? -1 : 1) / std::sqrt(square));
         double beside = 0;
         for (std::size_t k = 0; k < 3; ++k)
-            beside += length(minus(p[4 + k], p[(k + 1) % 3])) + length(minus(p[4 + k], p[(k + 2) % 3]));
+            beside +=
+                length(minus(p[4 + k], p[(k + 1) % 3])) + length(minus(p[4 + k], p[(k + 2) % 3]));
         double behind = 0;
         for (std::size_t k = 0; k < 3; ++k) behind += length(minus(p[3], p[k]));
         f.feature[2] = times(up, edge);
@@ -93,83 +138,89 @@ inline void tet_features(const std::array<Point3, kStencilSize>& p, bool mirrore
 // `values` are of all vertices so far; `mirrored`: tets, most of which are inside out.
 inline Features features_of(const Stencil& stencil, const std::vector<Point3>& values,
                             bool mirrored) {
-    using detail::plus;
     Features f;
-    auto& t = f.feature;
     std::array<Point3, kStencilSize> p{};
-    const auto has = [&](std::size_t i) { return stencil.at[i] != kNone; };
     for (std::size_t i = 0; i < kStencilSize; ++i)
-        if (has(i)) p[i] = values[stencil.at[i]];
-    const auto way = [&](std::size_t i, std::size_t j) { return minus(p[i], p[j]); };
-    const auto bend = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
-        return minus(minus(p[i], p[j]), minus(p[k], p[l]));
-    };
-    switch (stencil.configuration) {
-        case Configuration::seed:
-            if (has(0)) f.base = p[0];
-            if (has(1)) t[0] = way(0, 1);
-            if (has(2)) t[1] = way(1, 2);
-            break;
-        case Configuration::quad_third:  // b a v_b u_a w_b w_a
-            f.base = minus(plus(p[0], p[0]), p[2]);
-            t[0] = way(0, 2);
-            t[1] = way(1, 0);
-            t[2] = bend(3, 2, 1, 0);
-            if (has(4) && has(5)) {
-                t[3] = bend(0, 2, 2, 4);
-                t[4] = bend(1, 3, 3, 5);
-            }
-            break;
-        case Configuration::quad_corner:  // a c b u_a v_b w_a w_b v_c u_b x_c x_b
-            t[6] = bend(1, 7, 2, 8);
-            t[7] = way(2, 8);
-            if (has(9) && has(10)) {
-                t[8] = bend(1, 7, 7, 9);
-                t[9] = bend(2, 8, 8, 10);
-            }
-            [[fallthrough]];
-        case Configuration::quad_fourth:  // a c b u_a v_b w_a w_b
-            f.base = minus(plus(p[0], p[1]), p[2]);
-            t[0] = way(1, 2);
-            t[1] = way(0, 2);
-            if (has(3) && has(4)) {
-                t[2] = bend(0, 3, 2, 4);
-                t[3] = way(2, 4);
-            }
-            if (has(5) && has(6)) {
-                t[4] = bend(0, 3, 3, 5);
-                t[5] = bend(2, 4, 4, 6);
-            }
-            break;
-        case Configuration::triangle:  // a b u_a v_b
-            f.base = minus(plus(p[0], p[1]), p[2]);
-            t[0] = way(3, 2);
-            t[1] = way(0, 1);
-            t[2] = way(1, 3);
-            break;
-        case Configuration::polygon:  // x w ww z
-            f.base = p[0];
-            t[0] = way(0, 1);
-            t[1] = way(1, 2);
-            if (has(3)) t[2] = way(3, 0);
-            break;
-        case Configuration::tet:
-            detail::tet_features(p, mirrored, f);
-            break;
-        case Configuration::count:
-            break;
+        if (stencil.at[i] != kNone) p[i] = values[stencil.at[i]];
+    const auto c = static_cast<std::size_t>(stencil.configuration);
+    if (stencil.configuration == Configuration::tet) {
+        detail::tet_features(p, mirrored, f);
+        return f;
+    }
+    for (std::size_t k = 0; k <= kFeatureCount[c]; ++k) {
+        const Sum& sum = kSums[c][k];
+        if (detail::names_missing(sum, stencil)) continue;
+        Point3& to = k == 0 ? f.base : f.feature[k - 1];
+        for (std::size_t i = 0; i < kStencilSize; ++i)
+            if (sum[i] != 0) to = detail::plus(to, detail::times(p[i], sum[i]));
     }
     return f;
 }
 
-inline Point3 guess(Configuration configuration, const Features& f, const Weights& weights) {
-    const auto c = static_cast<std::size_t>(configuration);
-    Point3 sum{};
-    for (std::size_t i = 0; i < kFeatureCount[c]; ++i) {
-        const double w = static_cast<double>(weights[c][i]);
-        if (w != 0) sum = detail::plus(sum, detail::times(f.feature[i], w));
+// Guesses by given weights. But for tets a guess is a sum of factor * point over 4096, in the order
+// of the stencil; factors are integers.
+class Predictor {
+  public:
+    Predictor(const Weights& weights, bool mirrored) : weights_(weights), mirrored_(mirrored) {
+        for (auto& factors : known_) factors.fill({});
     }
-    return {f.base[0] + sum[0] / 4096, f.base[1] + sum[1] / 4096, f.base[2] + sum[2] / 4096};
-}
+
+    Point3 guess(const Stencil& stencil, const std::vector<Point3>& values) {
+        if (stencil.configuration == Configuration::tet) return guess_tet(stencil, values);
+        Factors& factors =
+            known_[static_cast<std::size_t>(stencil.configuration)][variant_of(stencil)];
+        if (!factors.known) find(stencil, factors);
+        Point3 g{};
+        for (std::size_t i = 0; i < factors.count; ++i)
+            g = detail::plus(g, detail::times(values[stencil.at[factors.slot[i]]], factors.of[i]));
+        return {g[0] / 4096, g[1] / 4096, g[2] / 4096};
+    }
+
+  private:
+    // Factors depend on the configuration, and on which of the points are missing that may be.
+    static constexpr std::size_t kVariants = 16;
+    struct Factors {
+        bool known = false;
+        std::uint8_t count = 0;
+        std::array<std::uint8_t, kStencilSize> slot{};
+        std::array<double, kStencilSize> of{};
+    };
+
+    static std::size_t variant_of(const Stencil& s) {
+        const auto has = [&](std::size_t i) -> std::size_t { return s.at[i] != kNone; };
+        if (s.configuration == Configuration::seed) return has(0) + has(1) + has(2);
+        return has(3) + 2 * has(4) + 4 * has(5) + 8 * has(9);
+    }
+
+    void find(const Stencil& stencil, Factors& factors) const {
+        const auto c = static_cast<std::size_t>(stencil.configuration);
+        std::array<std::int32_t, kStencilSize> total{};
+        for (std::size_t k = 0; k <= kFeatureCount[c]; ++k) {
+            const Sum& sum = kSums[c][k];
+            if (detail::names_missing(sum, stencil)) continue;
+            const std::int32_t weight = k == 0 ? 4096 : weights_[c][k - 1];
+            for (std::size_t i = 0; i < kStencilSize; ++i) total[i] += weight * sum[i];
+        }
+        factors.known = true;
+        for (std::size_t i = 0; i < kStencilSize; ++i)
+            if (total[i] != 0) {
+                factors.slot[factors.count] = static_cast<std::uint8_t>(i);
+                factors.of[factors.count++] = total[i];
+            }
+    }
+
+    Point3 guess_tet(const Stencil& stencil, const std::vector<Point3>& values) const {
+        const Features f = features_of(stencil, values, mirrored_);
+        constexpr auto c = static_cast<std::size_t>(Configuration::tet);
+        Point3 sum{};
+        for (std::size_t i = 0; i < kFeatureCount[c]; ++i)
+            sum = detail::plus(sum, detail::times(f.feature[i], weights_[c][i]));
+        return {f.base[0] + sum[0] / 4096, f.base[1] + sum[1] / 4096, f.base[2] + sum[2] / 4096};
+    }
+
+    Weights weights_;
+    bool mirrored_;
+    std::array<std::array<Factors, kVariants>, kConfigurations - 1> known_;
+};
 
 }  // namespace ravel

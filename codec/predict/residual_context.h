@@ -17,8 +17,8 @@ namespace ravel {
 // A residual r is coded as: is it 0? Has |r| at least so many bits as expected; then step by step
 // upwards, or downwards, how many it has. The bit below the highest has a context, the rest are as
 // they are, and so is the sign.
-inline constexpr std::uint32_t kScales = 96;           // half octaves of the expected |r|
-inline constexpr std::uint32_t kEchoScale = kScales;   // per axis; then those of followers
+inline constexpr std::uint32_t kScales = 96;          // half octaves of the expected |r|
+inline constexpr std::uint32_t kEchoScale = kScales;  // per axis; then those of followers
 inline constexpr std::uint32_t kUpSteps = 21, kDownSteps = 10;
 inline constexpr std::uint32_t kSizeNodes = 2 + kUpSteps + kDownSteps;
 
@@ -47,14 +47,14 @@ struct Scale {
 // The magnitudes of all residuals so far, and from them the scale of the next.
 class ResidualSizes {
   public:
-    using Magnitudes = std::array<std::uint64_t, 3>;  // per axis, at most kMost
+    using Magnitudes = std::array<std::uint32_t, 3>;  // per axis, at most kMost
 
     ResidualSizes() { usual_.fill(kStart); }
     void reserve(std::size_t vertices) { magnitudes_.reserve(vertices); }
 
     // Before the residuals of a vertex are coded.
     void begin(const Stencil& stencil) {
-        Magnitudes sum{};
+        std::array<std::uint64_t, 3> sum{};
         std::uint64_t n = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             if (stencil.at[i] == kNone) continue;
@@ -68,7 +68,7 @@ class ResidualSizes {
             // 13/16 of the axis itself, 3/16 of the mean over the axes; in sixteenths.
             const std::uint64_t near = n == 0 ? *usual_of_ : (13 * sum[axis] + all) / n;
             expected_[axis] = (29 * near + 3 * *usual_of_) >> 5;
-            mean_[axis] = n == 0 ? 0 : sum[axis] / n;
+            mean_[axis] = n == 0 ? 0 : static_cast<std::uint32_t>(sum[axis] / n);
         }
         now_ = {};
         done_ = 0;
@@ -83,7 +83,7 @@ class ResidualSizes {
         return {std::min(2 * b + (half ? 1u : 0u), kScales - 1), b < 5 ? 2 : b - 3};
     }
     void coded(std::size_t axis, std::uint64_t magnitude) {
-        now_[axis] = std::min(magnitude, kMost);
+        now_[axis] = static_cast<std::uint32_t>(std::min(magnitude, kMost));
         done_ += now_[axis];
     }
     void push() {
@@ -95,12 +95,13 @@ class ResidualSizes {
     void push_nothing() { magnitudes_.push_back({}); }
 
   private:
-    static constexpr std::uint64_t kMost = std::uint64_t{1} << 40, kStart = 256;
+    static constexpr std::uint64_t kMost = 0xFFFFFFFF, kStart = 256;
 
     std::vector<Magnitudes> magnitudes_;
     std::array<std::uint64_t, static_cast<std::size_t>(Configuration::count)> usual_;
     std::uint64_t* usual_of_ = nullptr;
-    Magnitudes expected_{}, mean_{}, now_{};
+    std::array<std::uint64_t, 3> expected_{};
+    Magnitudes mean_{}, now_{};
     std::uint64_t done_ = 0;
 };
 
@@ -125,7 +126,8 @@ std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r) {
     }
     std::uint64_t value = 1;
     if (size >= 2) {
-        const std::uint32_t against = std::clamp(size + 8, scale.bits, scale.bits + 15) - scale.bits;
+        const std::uint32_t against =
+            std::clamp(size + 8, scale.bits, scale.bits + 15) - scale.bits;
         value = value << 1 | coder.flag(C::second.at(against, size), (m >> (size - 2) & 1) != 0);
     }
     // The rest of |r|, then the sign.

@@ -46,16 +46,16 @@ class Reader {
     };
 
     Id parent(Id c) const {
-        return walked_.gate[c] == kNone ? kNone : walked_.cell_of[walked_.gate[c]];
+        return walked_.gate[c] == kNone ? kNone : walked_.cell_of(walked_.gate[c]);
     }
 
     // Calls visit(cell, child) over the facets of c that are glued to later cells.
     template <class Visit>
     void each_later(Id c, const Visit& visit) const {
-        for (Id f = walked_.first[c]; f < walked_.first[c + 1]; ++f) {
+        for (Id f = walked_.begin(c); f < walked_.end(c); ++f) {
             const Id g = walked_.twin[f];
             if (g == kNone) continue;
-            const Id z = walked_.cell_of[g];
+            const Id z = walked_.cell_of(g);
             if (z > c) visit(z, walked_.gate[z] == f);
         }
     }
@@ -126,7 +126,7 @@ class Reader {
     // What a link adds on one side: a tet becomes three, an n-gon n.
     Index pieces(Id c) const {
         if (walked_.kind == CellKind::tet) return 2;
-        return std::max<Id>(walked_.first[c + 1] - walked_.first[c], 1) - 1;
+        return std::max<Id>(walked_.degree(c), 1) - 1;
     }
 
     const Walked& walked_;

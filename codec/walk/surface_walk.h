@@ -27,6 +27,7 @@ class SurfaceWalk {
   public:
     SurfaceWalk(Driver& driver, const WalkLimits& limits) : driver_(driver), limits_(limits) {
         walked_.kind = CellKind::polygon;
+        walked_.fours = limits.uniform_degree == 4;
         reserve(walked_, limits);
         const std::size_t corners = std::min<std::size_t>(limits.corners, limits.plausible);
         next_.reserve(corners);
@@ -61,7 +62,7 @@ class SurfaceWalk {
 
     // Rightmost first, so that the walk hugs what it has visited.
     Id choose_exit(Id cell) const {
-        for (Id f = walked_.first[cell]; f < walked_.first[cell + 1]; ++f)
+        for (Id f = walked_.begin(cell); f < walked_.end(cell); ++f)
             if (state_[f] == open) return f;
         return kNone;
     }
@@ -69,7 +70,8 @@ class SurfaceWalk {
     Id code_degree(Id gate) {
         if (limits_.uniform_degree != 0) return limits_.uniform_degree;
         const Id truth = driver_.degree();
-        const std::uint32_t across = gate == kNone ? 0 : coarse(degree_at(walked_.cell_of[gate]));
+        const std::uint32_t across =
+            gate == kNone ? 0 : coarse(walked_.degree(walked_.cell_of(gate)));
         const std::uint32_t angles = gate == kNone ? 25 : gate_angles(gate);
         static constexpr Id kUsual[6] = {4, 3, 5, 6, 7, 8};
         for (std::uint32_t i = 0; i < 6; ++i)
@@ -81,7 +83,6 @@ class SurfaceWalk {
         return rest < limits_.corners ? static_cast<Id>(rest) + 6
                                       : kNone;  // more than there can be
     }
-    Id degree_at(Id cell) const { return walked_.first[cell + 1] - walked_.first[cell]; }
     static std::uint32_t coarse(Id degree) {
         return degree == 4 ? 0 : degree == 3 ? 1 : degree == 5 ? 2 : 3;
     }
@@ -112,9 +113,11 @@ class SurfaceWalk {
         const auto base = static_cast<Id>(walked_.vertex.size());
         if (degree > limits_.corners - base || (gate != kNone && degree < 2)) return false;
         const Id cell = walked_.cell_count();
-        walked_.first.push_back(base + degree);
         walked_.gate.push_back(gate);
-        walked_.cell_of.resize(base + degree, cell);
+        if (!walked_.fours) {
+            walked_.first.push_back(base + degree);
+            walked_.of.resize(base + degree, cell);
+        }
         walked_.vertex.resize(base + degree, kNone);
         walked_.twin.resize(base + degree, kNone);
         next_.resize(base + degree, kNone);
@@ -138,7 +141,7 @@ class SurfaceWalk {
         walked_.vertex[corner] = v;
         corners_.push_back(0);
         on_border_.push_back(0);
-        driver_.new_vertex(v, corner - walked_.first[walked_.first.size() - 2], stencil);
+        driver_.new_vertex(v, corner - walked_.begin(walked_.cell_count() - 1), stencil);
         return true;
     }
 
@@ -177,7 +180,7 @@ class SurfaceWalk {
                 driver_.flag(surface::kBorder.at(before || near_border_start_, near_border_end_,
                                                  start_new ? 0 : 1 + on_border_[s],
                                                  end_new ? 0 : 1 + on_border_[e]),
-                             driver_.border(f - walked_.first[walked_.cell_of[f]]));
+                             driver_.border(f - walked_.begin(walked_.cell_count() - 1)));
         }
         state_[f] = is_border ? border : open;
     }
@@ -330,7 +333,7 @@ class SurfaceWalk {
             front = backward ? before : next_[after];
             for (std::uint64_t i = 0; i < d; ++i) front = backward ? prev_[front] : next_[front];
         } else {
-            const std::uint64_t newest = walked_.first[walked_.cell_count() - 1];
+            const std::uint64_t newest = walked_.begin(walked_.cell_count() - 1);
             const std::uint64_t age = driver_.number(surface::kOldFar.base, newest - 1 - truth);
             if (age >= newest) return kNone;
             front = static_cast<Id>(newest - 1 - age);
@@ -350,8 +353,7 @@ class SurfaceWalk {
     }
     // One cell further, where the cell is a quad that was entered or zipped on the far side too.
     Beyond far_beyond(Id facet) const {
-        const Id cell = walked_.cell_of[facet];
-        if (walked_.first[cell + 1] - walked_.first[cell] != 4) return {};
+        if (walked_.degree(walked_.cell_of(facet)) != 4) return {};
         const Id opposite = walked_.next_in_cell(walked_.next_in_cell(facet));
         const Id twin = walked_.twin[opposite];
         return twin == kNone ? Beyond{} : beyond(twin);

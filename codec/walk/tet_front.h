@@ -1,15 +1,14 @@
 // The front of a walk over tets: a closed surface of triangles, the facets of visited tets that
 // lead to unvisited ones, and the borders met so far. Edge e of a triangle lies opposite its vertex
 // e; edges of neighbouring triangles are mates, and `fan` counts the visited tets between two
-// mates. A hash finds an open triangle by its vertices; those that crowd into one place of it go to
-// a tree, so that no choice of vertices makes a step dearer than O(log triangles).
+// mates. A hash finds an open triangle by its vertices; where many crowd into one place of it, it
+// grows, or becomes another hash: no choice of vertices fits them all.
 //
 // Triangles that leave the front make room for new ones: what the walk touches stays small.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "walk/walk.h"
@@ -95,20 +94,19 @@ class TetFront {
     // --- open triangles by their vertices; no two have the same --------------------------------
 
     void insert(Id triangle) {
-        if (2 * (used_ + 1) > table_.size()) rehash();
-        if (place(triangle)) ++live_;
+        if (2 * (used_ + 1) > table_.size()) rehash(false);
+        while (!place(triangle)) rehash(true);
+        ++live_;
     }
     void erase(Id triangle) {
         if (table_.empty()) return;
-        const Key key = key_of(triangles_[triangle].vertex);
-        std::size_t i = home_of(key);
+        std::size_t i = home_of(key_of(triangles_[triangle].vertex));
         for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
             if (table_[i] == triangle) {
                 table_[i] = kErased;
                 --live_;
                 return;
             }
-        if (!crowd_.empty()) crowd_.erase(key);
     }
     // The open triangle with the vertices of `triangle`, or kNone.
     Id find(Id triangle) const {
@@ -118,12 +116,11 @@ class TetFront {
         for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
             if (table_[i] != kErased && key_of(triangles_[table_[i]].vertex) == key)
                 return table_[i];
-        if (crowd_.empty()) return kNone;
-        const auto found = crowd_.find(key);
-        return found == crowd_.end() ? kNone : found->second;
+        return kNone;
     }
-    // How many open triangles found no place near their own.
-    std::size_t crowd() const { return crowd_.size(); }
+    // How many places the hash has, and how often it became another one.
+    std::size_t places() const { return table_.size(); }
+    std::uint64_t changes() const { return change_; }
 
   private:
     using Key = std::array<Id, 3>;
@@ -166,41 +163,45 @@ class TetFront {
         return v;
     }
     std::size_t home_of(const Key& v) const {
-        std::uint64_t h = v[0] * 0x9E3779B97F4A7C15u;
+        std::uint64_t h = (v[0] + (change_ << 32)) * 0x9E3779B97F4A7C15u;
         h = (h ^ (h >> 29) ^ v[1]) * 0xBF58476D1CE4E5B9u;
         h = (h ^ (h >> 32) ^ v[2]) * 0x94D049BB133111EBu;
         return (h ^ (h >> 31)) & (table_.size() - 1);
     }
     std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
-    // Into the table, or else the tree: is it the table?
+    // False where all places near its own are taken.
     bool place(Id triangle) {
-        const Key key = key_of(triangles_[triangle].vertex);
-        std::size_t i = home_of(key);
+        std::size_t i = home_of(key_of(triangles_[triangle].vertex));
         for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
             if (table_[i] >= kErased) {
                 if (table_[i] == kNone) ++used_;
                 table_[i] = triangle;
                 return true;
             }
-        crowd_.emplace(key, triangle);
         return false;
     }
-    void rehash() {
-        std::vector<Id> old(table_.size() < 4 * (live_ + 16)
-                                ? std::max<std::size_t>(64, table_.size() * 2)
-                                : table_.size(),
-                            kNone);
+    void rehash(bool crowded) {
+        std::vector<Id> old;
         old.swap(table_);
-        used_ = live_ = 0;
-        for (const Id triangle : old)
-            if (triangle < kErased && place(triangle)) ++live_;
+        std::size_t size = std::max<std::size_t>(64, old.size());
+        for (bool fits = false; !fits; crowded = true) {
+            if (size < 4 * (live_ + 16) || (crowded && size < 16 * live_))
+                size *= 2;
+            else
+                change_ += crowded;
+            table_.assign(size, kNone);
+            used_ = 0;
+            fits = true;
+            for (const Id triangle : old)
+                if (triangle < kErased && fits) fits = place(triangle);
+        }
     }
 
     std::vector<Triangle> triangles_;
     Id free_ = kNone;        // first of the list of free places, linked by mate[0]
     std::vector<Id> table_;  // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
-    std::map<Key, Id> crowd_;
+    std::uint64_t change_ = 0;
 };
 
 }  // namespace ravel

@@ -27,6 +27,7 @@ class TetWalk {
     TetWalk(Driver& driver, const WalkLimits& limits)
         : driver_(driver), limits_(limits), grid_(limits.grid_side, limits.grid_count) {
         walked_.kind = CellKind::tet;
+        walked_.fours = true;
         reserve(walked_, limits);
         const std::size_t vertices = std::min<std::size_t>(limits.vertices, limits.plausible);
         grid_.reserve(vertices);
@@ -85,9 +86,7 @@ class TetWalk {
         driver_.begin_cell(gate);
         const Id cell = walked_.cell_count(), base = 4 * cell;
         if (base + 4 > limits_.corners) return false;
-        walked_.first.push_back(base + 4);
         walked_.gate.push_back(gate);
-        walked_.cell_of.resize(base + 4, cell);
         walked_.vertex.resize(base + 4, kNone);
         walked_.twin.resize(base + 4, kNone);
         triangle_of_.resize(base + 4, kNone);
@@ -103,7 +102,7 @@ class TetWalk {
         walked_.vertex[corner] = v;
         on_border_.push_back(0);
         open_count_.push_back(0);
-        driver_.new_vertex(v, corner - walked_.first[walked_.first.size() - 2], stencil);
+        driver_.new_vertex(v, corner & 3, stencil);
         return true;
     }
 
@@ -271,18 +270,21 @@ class TetWalk {
                 if (!list_.holds(candidate.vertex))
                     more_.push_back({candidate.height, candidate.vertex});
             });
+        constexpr std::uint64_t kMostRanks = 64;
         const auto known = std::find_if(more_.begin(), more_.end(),
                                         [&](const Far& far) { return far.vertex == truth; });
-        if (driver_.flag(tet::kNear.at(0), known != more_.end())) {
-            std::uint64_t rank = 0;
-            if (known != more_.end())
-                rank = static_cast<std::uint64_t>(std::count_if(
-                    more_.begin(), more_.end(), [&](const Far& far) { return far < *known; }));
+        std::uint64_t rank = kMostRanks;
+        if (known != more_.end())
+            rank = static_cast<std::uint64_t>(std::count_if(
+                more_.begin(), more_.end(), [&](const Far& far) { return far < *known; }));
+        if (driver_.flag(tet::kNear.at(0), rank < kMostRanks)) {
             rank = driver_.number(tet::kNearRank.base, rank);
-            if (rank >= more_.size()) return kNone;
-            const auto place = more_.begin() + static_cast<std::ptrdiff_t>(rank);
-            std::nth_element(more_.begin(), place, more_.end());
-            return place->vertex;
+            if (rank >= std::min<std::uint64_t>(kMostRanks, more_.size())) return kNone;
+            // The lowest come first, as many as are counted.
+            auto lowest = more_.begin();
+            for (std::uint64_t i = 0; i <= rank; ++i, ++lowest)
+                std::iter_swap(lowest, std::min_element(lowest, more_.end()));
+            return (lowest - 1)->vertex;
         }
         const std::uint64_t age =
             driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);

@@ -40,24 +40,31 @@ namespace ravel {
 // entry facet opposite their last corner.
 struct Walked {
     CellKind kind = CellKind::polygon;
-    std::vector<Id> first{0};
-    std::vector<Id> cell_of;
+    bool fours = false;        // every cell has four corners: `first` and `of` are left out
+    std::vector<Id> first{0};  // cells + 1
+    std::vector<Id> of;        // corner -> cell
     std::vector<Id> vertex;
     std::vector<Id> twin;  // kNone: border, or not yet met
     std::vector<Id> gate;  // per cell: the facet of an earlier cell it was entered through
     Id vertex_count = 0;
 
-    Id cell_count() const { return static_cast<Id>(first.size() - 1); }
+    Id cell_count() const { return static_cast<Id>(gate.size()); }
+    Id begin(Id cell) const { return fours ? 4 * cell : first[cell]; }
+    Id end(Id cell) const { return fours ? 4 * cell + 4 : first[cell + 1]; }
+    Id degree(Id cell) const { return fours ? 4 : first[cell + 1] - first[cell]; }
+    Id cell_of(Id facet) const { return fours ? facet / 4 : of[facet]; }
     Id next_in_cell(Id facet) const {
-        const Id cell = cell_of[facet];
+        if (fours) return (facet & ~Id{3}) | ((facet + 1) & 3);
+        const Id cell = of[facet];
         return facet + 1 == first[cell + 1] ? first[cell] : facet + 1;
     }
     Id prev_in_cell(Id facet) const {
-        const Id cell = cell_of[facet];
+        if (fours) return (facet & ~Id{3}) | ((facet + 3) & 3);
+        const Id cell = of[facet];
         return facet == first[cell] ? first[cell + 1] - 1 : facet - 1;
     }
     // The facet a cell was entered by; only where it has a gate.
-    Id entry(Id cell) const { return kind == CellKind::tet ? first[cell] + 3 : first[cell]; }
+    Id entry(Id cell) const { return begin(cell) + (kind == CellKind::tet ? 3 : 0); }
 };
 
 // Limits both sides know before the walk, and what the mesh has none of (so that it costs no
@@ -79,9 +86,11 @@ struct WalkLimits {
 inline void reserve(Walked& walked, const WalkLimits& limits) {
     const std::size_t cells = std::min<std::size_t>(limits.cells, limits.plausible);
     const std::size_t corners = std::min<std::size_t>(limits.corners, limits.plausible);
-    walked.first.reserve(cells + 1);
     walked.gate.reserve(cells);
-    walked.cell_of.reserve(corners);
+    if (!walked.fours) {
+        walked.first.reserve(cells + 1);
+        walked.of.reserve(corners);
+    }
     walked.vertex.reserve(corners);
     walked.twin.reserve(corners);
 }
@@ -100,7 +109,7 @@ bool wind(const Walked& walked, const ChooseExit& choose_exit, const Visit& visi
         }
         const Id gate = walked.gate[cell];
         if (gate == kNone) return true;
-        cell = walked.cell_of[gate];
+        cell = walked.cell_of(gate);
     }
 }
 

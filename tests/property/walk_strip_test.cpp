@@ -26,14 +26,14 @@ Result<DecodedWalk> walk_of(const Mesh& mesh) {
 }
 
 Id parent(const Walked& walked, Id c) {
-    return walked.gate[c] == kNone ? kNone : walked.cell_of[walked.gate[c]];
+    return walked.gate[c] == kNone ? kNone : walked.cell_of(walked.gate[c]);
 }
 
 // Is there a facet between the cells that is no step of the walk?
 bool touch_beside_the_walk(const Walked& walked, Id a, Id b) {
-    for (Id f = walked.first[a]; f < walked.first[a + 1]; ++f) {
+    for (Id f = walked.begin(a); f < walked.end(a); ++f) {
         const Id g = walked.twin[f];
-        if (g == kNone || walked.cell_of[g] != b) continue;
+        if (g == kNone || walked.cell_of(g) != b) continue;
         if (walked.gate[a] != g && walked.gate[b] != f) return true;
     }
     return false;

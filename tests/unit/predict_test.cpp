@@ -124,34 +124,111 @@ TEST_CASE("planes of a slow ramp are small numbers first and zeros after") {
     for (std::size_t i = 2001; i < planes.size(); ++i) CHECK(planes[i] == std::byte{0});
 }
 
-TEST_CASE("a guess is base and weighted features, over the divisor") {
-    Weights weights{};
-    Features<double> f;
-    f.base = 30;
-    f.feature[0] = 7;
-    weights[static_cast<std::size_t>(Configuration::triangle)][0] = 2048;  // a half
-    CHECK(guess(Configuration::triangle, f, weights) == 33.5);
-    weights[static_cast<std::size_t>(Configuration::tet)][0] = -4096;
-    CHECK(guess(Configuration::tet, f, weights) == 23.0 / 3);
+namespace {
+
+// Stencils of every configuration, with and without what may be missing, over vertices 0 .. 10.
+std::vector<Stencil> all_stencils() {
+    std::vector<Stencil> all;
+    const auto add = [&](Configuration c, std::initializer_list<std::size_t> present) {
+        Stencil s;
+        s.configuration = c;
+        for (const std::size_t i : present) s.at[i] = static_cast<Id>(i);
+        all.push_back(s);
+    };
+    using C = Configuration;
+    add(C::seed, {});
+    add(C::seed, {0});
+    add(C::seed, {0, 1});
+    add(C::seed, {0, 1, 2});
+    add(C::quad_third, {0, 1, 2, 3});
+    add(C::quad_third, {0, 1, 2, 3, 4, 5});
+    add(C::quad_fourth, {0, 1, 2});
+    add(C::quad_fourth, {0, 1, 2, 3, 4});
+    add(C::quad_fourth, {0, 1, 2, 3, 4, 5, 6});
+    add(C::quad_corner, {0, 1, 2, 3, 4, 7, 8});
+    add(C::quad_corner, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+    add(C::quad_corner, {0, 1, 2, 3, 4, 7, 8, 9, 10});
+    add(C::quad_corner, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+    add(C::triangle, {0, 1, 2, 3});
+    add(C::polygon, {0, 1, 2});
+    add(C::polygon, {0, 1, 2, 3});
+    add(C::tet, {0, 1, 2, 3, 4, 5, 6});
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a guess is the base and the weighted features") {
+    std::mt19937 random(11);
+    for (int round = 0; round < 200; ++round) {
+        Weights weights;
+        for (auto& row : weights)
+            for (auto& w : row) w = static_cast<std::int16_t>(random());
+        std::vector<Point3> values(kStencilSize);
+        for (Point3& p : values)
+            for (double& x : p) x = static_cast<double>(random() % 100000) - 50000;
+        const bool mirrored = round % 2 == 1;
+        Predictor predictor(weights, mirrored);
+        for (const Stencil& stencil : all_stencils()) {
+            const auto c = static_cast<std::size_t>(stencil.configuration);
+            const Features f = features_of(stencil, values, mirrored);
+            const Point3 guess = predictor.guess(stencil, values);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                double want = 0;
+                for (std::size_t i = 0; i < kFeatureCount[c]; ++i)
+                    want += weights[c][i] * f.feature[i][axis];
+                want = f.base[axis] + want / 4096;
+                INFO("configuration " << c);
+                // Whole numbers are exact whatever the order of the sums.
+                if (stencil.configuration == Configuration::tet)
+                    CHECK(guess[axis] == Approx(want));
+                else
+                    CHECK(guess[axis] == want);
+            }
+        }
+    }
+}
+
+TEST_CASE("a regular tet's apex is guessed over its gate, mirrored or not") {
+    // The gate, the apex behind it and the apexes across its edges, all edges as long.
+    const double h = std::sqrt(2.0 / 3), r = 1 / std::sqrt(3.0);
+    const std::vector<Point3> values{{1000 * r, 0, 0},
+                                     {-500 * r, 500, 0},
+                                     {-500 * r, -500, 0},
+                                     {0, 0, -1000 * h},
+                                     {-1000 * r, 0, 1},
+                                     {500 * r, -500, 1},
+                                     {500 * r, 500, 1}};
+    Stencil stencil;
+    stencil.configuration = Configuration::tet;
+    for (Id i = 0; i < 7; ++i) stencil.at[i] = i;
+    const Point3 up = Predictor(kDefaultWeights, false).guess(stencil, values);
+    CHECK(up[2] > 500);
+    CHECK(up[2] < 1000);
+    const Point3 down = Predictor(kDefaultWeights, true).guess(stencil, values);
+    CHECK(down[2] < -500);
 }
 
 TEST_CASE("guesses from the farthest numbers with the largest weights stay finite") {
     Weights weights;
     for (const std::int16_t w : {std::int16_t{32767}, std::int16_t{-32768}}) {
         for (auto& row : weights) row.fill(w);
-        for (std::size_t c = 0; c < kConfigurations; ++c)
-            for (unsigned signs = 0; signs < 1u << kStencilSize; ++signs) {
-                const auto most = static_cast<double>(kMostWhole);
-                const auto f = features_of<double>(
-                    static_cast<Configuration>(c),
-                    [&](std::size_t i) { return signs >> i & 1 ? most : -most; },
-                    [](std::size_t) { return true; });
-                CHECK(std::abs(guess(static_cast<Configuration>(c), f, weights)) < 0x1p62);
+        Predictor predictor(weights, false);
+        for (unsigned signs = 0; signs < 1u << kStencilSize; ++signs) {
+            std::vector<Point3> values(kStencilSize);
+            for (std::size_t i = 0; i < kStencilSize; ++i) {
+                const auto most = static_cast<double>(signs >> i & 1 ? kMostWhole : -kMostWhole);
+                values[i] = {most, -most, most};
             }
+            for (const Stencil& stencil : all_stencils())
+                for (const double x : predictor.guess(stencil, values)) {
+                    REQUIRE(std::abs(x) < 0x1p70);
+                }
+        }
     }
 }
 
-TEST_CASE("residuals of every size come back") {
+TEST_CASE("residuals of every size come back under every scale") {
     std::vector<std::int64_t> residuals{0, std::numeric_limits<std::int64_t>::min(),
                                         std::numeric_limits<std::int64_t>::max()};
     for (int bit = 0; bit < 63; ++bit)
@@ -159,15 +236,43 @@ TEST_CASE("residuals of every size come back") {
             residuals.push_back((std::int64_t{1} << bit) + d);
             residuals.push_back(-(std::int64_t{1} << bit) + d);
         }
-    Tape coder;
-    std::uint32_t size = 0;
-    for (const std::int64_t r : residuals) code_residual(coder, 0, r, size);
-    coder.reading = true;
-    for (const std::int64_t r : residuals) {
-        CHECK(code_residual(coder, 0, 0, size) == r);
-        CHECK(size == static_cast<std::uint32_t>(std::bit_width(magnitude(r))));
+    for (std::uint32_t bits = 2; bits <= 43; ++bits) {
+        Tape coder;
+        const Scale scale{bits, bits};
+        for (const std::int64_t r : residuals) code_residual(coder, scale, r);
+        coder.reading = true;
+        for (const std::int64_t r : residuals) CHECK(code_residual(coder, scale, 0) == r);
+        CHECK(coder.at == coder.tape.size());
     }
-    CHECK(coder.at == coder.tape.size());
+}
+
+TEST_CASE("the scale of a residual follows those around and the axes before") {
+    ResidualSizes sizes;
+    Stencil stencil;
+    stencil.configuration = Configuration::triangle;
+    const auto vertex = [&](std::uint64_t magnitude) {
+        sizes.begin(stencil);
+        for (std::size_t axis = 0; axis < 3; ++axis) sizes.coded(axis, magnitude);
+        sizes.push();
+    };
+    for (int i = 0; i < 3; ++i) vertex(1000);
+    for (int i = 0; i < 3; ++i) vertex(1);
+    const auto scale_at = [&](Id first) {
+        stencil.at = {first, first + 1, first + 2};
+        for (std::size_t i = 3; i < kStencilSize; ++i) stencil.at[i] = kNone;
+        sizes.begin(stencil);
+        return sizes.scale(0);
+    };
+    CHECK(scale_at(0).bits > scale_at(3).bits + 4);
+    CHECK(scale_at(0).context > scale_at(3).context + 8);
+    scale_at(0);
+    const std::uint32_t before = sizes.scale(1).bits;
+    sizes.coded(0, 100000);
+    CHECK(sizes.scale(1).bits > before);
+    // Whatever comes, a scale has a context.
+    for (int i = 0; i < 20; ++i) vertex(~std::uint64_t{0});
+    sizes.begin(stencil);
+    CHECK(sizes.scale(0).context < kScales);
 }
 
 TEST_CASE("grid coordinates are origin and steps, rounded to the mesh's floats") {

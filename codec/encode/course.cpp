@@ -1,0 +1,94 @@
+#include "encode/course.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ravel {
+namespace {
+
+WalkLimits limits_of(const Complex& complex) {
+    WalkLimits limits;
+    limits.cells = complex.cell_count();
+    limits.corners = static_cast<Id>(complex.twin.size());
+    limits.vertices = static_cast<Id>(complex.point.size());
+    limits.has_border =
+        std::find(complex.twin.begin(), complex.twin.end(), kNone) != complex.twin.end();
+    if (complex.kind == CellKind::polygon && limits.cells > 0) {
+        limits.uniform_degree = complex.degree(0);
+        for (Id c = 1; c < limits.cells && limits.uniform_degree != 0; ++c)
+            if (complex.degree(c) != limits.uniform_degree) limits.uniform_degree = 0;
+    }
+    return limits;
+}
+
+// The grid in which the walk looks for apexes: cubes of two mean edges, fewer where the box is
+// large beside the mesh. Where there are more tets of negative volume than of positive, the walk
+// looks for mirror images.
+void choose_grid(const Complex& complex, const std::vector<Point3>& places, BlockHead& block) {
+    Point3 high{};
+    double length = 0;
+    Index edges = 0, negative = 0, positive = 0;
+    for (Id base = 0; base < complex.twin.size(); base += 4) {
+        std::array<Point3, 4> p;
+        for (Id i = 0; i < 4; ++i) {
+            p[i] = places[complex.point[complex.vertex[base + i]]];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                high[axis] = std::max(high[axis], p[i][axis]);
+        }
+        const Point3 u = minus(p[1], p[0]);
+        const double volume = dot(cross(u, minus(p[2], p[0])), minus(p[3], p[0]));
+        positive += volume > 0;
+        negative += volume < 0;
+        length += std::sqrt(dot(u, u));
+        ++edges;
+    }
+    block.mirrored = negative > positive;
+    double side =
+        edges == 0 ? 1 : std::max(1.0, std::floor(2 * length / static_cast<double>(edges)));
+    for (;; side = std::floor(side * 1.25) + 1) {
+        std::uint64_t cubes = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double count = std::floor(high[axis] / side) + 1;
+            block.grid_count[axis] = static_cast<std::uint32_t>(std::min(count, 1048576.0));
+            cubes *= block.grid_count[axis];
+        }
+        if (cubes <= most_cubes(block.vertices)) break;
+    }
+    block.grid_side = static_cast<Index>(side);
+}
+
+}  // namespace
+
+CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions) {
+    CoursePlan plan;
+    WalkLimits& limits = plan.limits = limits_of(complex);
+    BlockHead& block = plan.block;
+    block.cells = limits.cells;
+    block.corners = limits.corners;
+    block.vertices = limits.vertices;
+    block.uniform_degree = limits.uniform_degree;
+    block.has_border = limits.has_border;
+    block.has_flips =
+        std::find(complex.flipped.begin(), complex.flipped.end(), 1) != complex.flipped.end();
+    std::vector<bool> used(mesh.point_count(), false);
+    for (const Id p : complex.point) {
+        block.points += !used[p];
+        used[p] = true;
+    }
+    block.has_copies = block.points != block.vertices;
+    block.unused_points = mesh.point_count() - block.points;
+    block.companions = mesh.companions.size();
+    plan.walk.seeds = choose_seeds(complex);
+    block.components = plan.walk.seeds.size();
+    plan.walk.places = plan_places(mesh, positions);
+    plan.walk.unknown_place = place_of(positions.format, Point3{});
+    plan.walk.outlier = positions.outlier;
+    if (mesh.kind != CellKind::tet) return plan;
+    choose_grid(complex, plan.walk.places, block);
+    limits.grid_side = static_cast<double>(block.grid_side);
+    limits.grid_count = block.grid_count;
+    limits.mirrored = positions.format.mirrored = block.mirrored;
+    return plan;
+}
+
+}  // namespace ravel

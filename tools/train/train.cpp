@@ -1,0 +1,151 @@
+// Learns the priors of all contexts from meshes and writes them as headers.
+//     ravel_train CODEC_FOLDER MESH...        into CODEC_FOLDER/walk/priors.h and predict/priors.h
+// Every mesh has the same say in a context, however large it is. Run it after contexts have
+// changed, with meshes of all classes; the files it writes are part of the format.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "encode/course.h"
+#include "encode/positions.h"
+#include "entropy/priors.h"
+#include "io/mesh_io.h"
+#include "ravel/ravel.h"
+
+namespace ravel::train {
+namespace {
+
+// How often each context said no and yes.
+struct Tally {
+    std::vector<std::array<double, 2>> count;
+
+    explicit Tally(std::size_t contexts = 0) : count(contexts) {}
+    void add(Context context, bool yes) { count[context][yes] += 1; }
+    // No context of `other` counts as more than fifty flags.
+    void take_in(const Tally& other) {
+        for (std::size_t i = 0; i < count.size(); ++i) {
+            const double all = other.count[i][0] + other.count[i][1];
+            const double share = all > 50 ? 50 / all : 1;
+            for (std::size_t k = 0; k < 2; ++k) count[i][k] += share * other.count[i][k];
+        }
+    }
+};
+
+struct WalkTape {
+    Tally tally;
+    void flag(Context context, bool truth) { tally.add(context, truth); }
+    void plain(std::uint64_t, int) {}
+};
+
+struct ResidualTape {
+    static constexpr bool kWrites = true;
+    Tally tally{ResidualContexts::count};
+    bool flag(Context context, bool truth) {
+        tally.add(context, truth);
+        return truth;
+    }
+    std::uint64_t plain(std::uint64_t truth, int) { return truth; }
+};
+
+struct Learnt {
+    Tally surface{surface::kContexts}, tet{tet::kContexts}, residual{ResidualContexts::count};
+};
+
+void learn_residuals(const Complex& complex, const Course& course, PositionPlan& plan,
+                     Tally& into) {
+    write_positions(plan, complex, course.record, {});  // chooses the format
+    ResidualTape tape;
+    PositionCodes<ResidualTape> codes(tape, plan.format, course.record.vertex_of.size());
+    for (std::size_t v = 0; v < course.record.vertex_of.size(); ++v) {
+        const Id p = complex.point[course.record.vertex_of[v]];
+        if (course.record.copy_of[v] != kNone)
+            codes.copy(course.record.copy_of[v]);
+        else
+            codes.next(course.record.stencils[v], plan.values[p],
+                       !plan.outlier.empty() && plan.outlier[p]);
+    }
+    into.take_in(tape.tally);
+}
+
+bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
+    auto positions = plan_positions(mesh, options);
+    auto complex = build_complex(mesh);
+    if (!positions || !complex) return false;
+    const CoursePlan plan = plan_course(mesh, *complex, *positions);
+    Tally& tally = mesh.kind == CellKind::tet ? learnt.tet : learnt.surface;
+    WalkTape tape{Tally(tally.count.size())};
+    const Course course = run_course(*complex, plan, tape);
+    tally.take_in(tape.tally);
+    learn_residuals(*complex, course, *positions, learnt.residual);
+    return true;
+}
+
+// The letter whose chance is nearest in the logarithm of the rarer answer.
+char letter_of(const std::array<double, 2>& count) {
+    if (count[0] + count[1] < 2) return 'P';
+    const double yes = (count[1] + 0.4) / (count[0] + count[1] + 0.8);
+    const double rare = std::log(std::min(yes, 1 - yes) + 1e-4);
+    int best = 0;
+    double least = 1e9;
+    for (int i = 0; i < 16; ++i) {
+        const double off =
+            std::abs(std::log(kPriorChance[static_cast<std::size_t>(i)] / 65536.0) - rare);
+        if (off < least) least = off, best = i;
+    }
+    const int letter = yes <= 0.5 ? best : 30 - best;
+    return static_cast<char>(letter < 26 ? 'A' + letter : 'a' + letter - 26);
+}
+
+std::string letters_of(const Tally& tally) {
+    std::string letters;
+    for (const auto& count : tally.count) letters += letter_of(count);
+    while (!letters.empty() && letters.back() == 'P') letters.pop_back();
+    std::string text;
+    for (std::size_t i = 0; i < letters.size(); i += 88)
+        text += "\n    \"" + letters.substr(i, 88) + "\"";
+    return text.empty() ? " \"\"" : text;
+}
+
+std::string table(const char* name, int seen, const Tally& tally) {
+    return std::string("inline constexpr std::uint16_t ") + name +
+           "Seen = " + std::to_string(seen) + ";\ninline constexpr std::string_view " + name +
+           "s =" + letters_of(tally) + ";\n";
+}
+
+void write(const std::string& path, const std::string& what, const std::string& tables) {
+    std::ofstream(path) << "// What " << what
+                        << " know before the first flag; see entropy/priors.h. Made by "
+                           "tools/train.\n#pragma once\n\n#include <cstdint>\n#include "
+                           "<string_view>\n\nnamespace ravel {\n\n"
+                        << tables << "\n}  // namespace ravel\n";
+}
+
+}  // namespace
+}  // namespace ravel::train
+
+int main(int count, char** words) {
+    using namespace ravel;
+    using namespace ravel::train;
+    Learnt learnt;
+    for (int i = 2; i < count; ++i) {
+        const auto mesh = io::read_mesh(words[i]);
+        EncodeOptions grid;
+        grid.position_bits = 14;
+        if (!mesh || !learn(*mesh, grid, learnt) || !learn(*mesh, {}, learnt)) {
+            std::fprintf(stderr, "%s: passed over\n", words[i]);
+            continue;
+        }
+        std::fprintf(stderr, "%s\n", words[i]);
+    }
+    if (count < 3) return 2;
+    const std::string codec = words[1];
+    write(codec + "/walk/priors.h", "the walk's models",
+          "namespace surface {\n" + table("kPrior", 1, learnt.surface) +
+              "}  // namespace surface\n\nnamespace tet {\n" + table("kPrior", 2, learnt.tet) +
+              "}  // namespace tet\n");
+    write(codec + "/predict/priors.h", "the models of residuals",
+          table("kResidualPrior", 4, learnt.residual));
+}
