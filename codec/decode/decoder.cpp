@@ -29,7 +29,7 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     // Of tets, 24 bytes are for a front that hostile vertices crowd (see TetFront).
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 88 : 52) + (order ? 16 : 0);
     const std::uint64_t per_cell = (order ? 128 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 352 : 304;
+                        per_vertex = order ? 408 : 360;
     return b.corners * per_corner + b.cells * per_cell +
            (b.vertices + b.unused_points) * per_vertex;
 }

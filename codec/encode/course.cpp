@@ -21,7 +21,7 @@ WalkLimits limits_of(const Complex& complex) {
     return limits;
 }
 
-// The grid in which the walk looks for apexes: cubes of two mean edges, fewer where the box is
+// The grid in which the walk looks for apexes: cubes of half a mean edge, fewer where the box is
 // large beside the mesh. Where there are more tets of negative volume than of positive, the walk
 // looks for mirror images.
 void choose_grid(const Complex& complex, const std::vector<Point3>& places, BlockHead& block) {
@@ -44,7 +44,7 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
     }
     block.mirrored = negative > positive;
     double side =
-        edges == 0 ? 1 : std::max(1.0, std::floor(2 * length / static_cast<double>(edges)));
+        edges == 0 ? 1 : std::max(1.0, std::floor(length / 2 / static_cast<double>(edges)));
     for (;; side = std::floor(side * 1.25) + 1) {
         std::uint64_t cubes = 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {

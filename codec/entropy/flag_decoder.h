@@ -12,6 +12,22 @@
 
 namespace ravel {
 
+// How truncated binary tells the length of a run that is cut short.
+struct RunCut {
+    std::uint8_t bits = 0;    // of the short lengths
+    std::uint16_t brief = 1;  // how many are short; the others have a bit more
+};
+inline constexpr std::array<RunCut, kFlagClasses> kRunCut = [] {
+    std::array<RunCut, kFlagClasses> cuts{};
+    for (std::size_t c = 0; c < kFlagClasses; ++c) {
+        if (kRunOf[c] <= 1) continue;
+        const auto width = static_cast<unsigned>(std::bit_width(kRunOf[c] - 1u));
+        cuts[c] = {static_cast<std::uint8_t>(width - 1),
+                   static_cast<std::uint16_t>((1u << width) - kRunOf[c])};
+    }
+    return cuts;
+}();
+
 class FlagDecoder {
   public:
     explicit FlagDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -19,7 +35,7 @@ class FlagDecoder {
     bool flag(FlagModel& model) {
         const auto c = static_cast<std::size_t>(model.flag_class());
         Run& run = runs_[c];
-        if (run.left == 0) fetch(run, kRunOf[c]);
+        if (run.left == 0) fetch(run, c);
         --run.left;
         const bool yes = model.likely() != (run.left == run.miss);
         model.update(yes);
@@ -46,18 +62,20 @@ class FlagDecoder {
         std::uint32_t miss = 0;  // what is left once the miss has come: 0, or never
     };
 
-    void fetch(Run& run, std::uint32_t full) {
-        const bool ends_in_miss = bits(1) == 0;
-        run.miss = ends_in_miss ? 0 : ~std::uint32_t{0};
-        run.left = ends_in_miss ? below(full) + 1 : full;
-    }
-    std::uint32_t below(std::uint32_t size) {
-        if (size <= 1) return 0;
-        const int width = static_cast<int>(std::bit_width(size - 1));
-        const std::uint32_t brief = (std::uint32_t{1} << width) - size;
-        const auto value = static_cast<std::uint32_t>(bits(width - 1));
-        if (value < brief) return value;
-        return static_cast<std::uint32_t>(value << 1 | bits(1)) - brief;
+    void fetch(Run& run, std::size_t c) {
+        if (held_ < 16) refill();
+        if ((hold_ >> --held_ & 1) != 0) {
+            run = {kRunOf[c], ~std::uint32_t{0}};
+            return;
+        }
+        const RunCut cut = kRunCut[c];
+        held_ -= cut.bits;
+        auto length = static_cast<std::uint32_t>(hold_ >> held_) & ((1u << cut.bits) - 1);
+        if (length >= cut.brief) {
+            const auto last = static_cast<std::uint32_t>(hold_ >> --held_ & 1);
+            length = 2 * length + last - cut.brief;
+        }
+        run = {length + 1, 0};
     }
     std::uint64_t bits(int count) {  // count <= 32
         if (held_ < count) refill();

@@ -43,12 +43,7 @@ inline constexpr std::array<std::array<Sum, 1 + kFeatures>, kConfigurations - 1>
     // seed: the base is the last vertex
     {{{1}, {1, -1}, {0, 1, -1}}},
     // quad_third [b a v_b u_a w_b w_a]: b carried on
-    {{{2, 0, -1},
-      {1, 0, -1},
-      {-1, 1},
-      {1, -1, -1, 1},
-      {1, 0, -2, 0, 1},
-      {0, 1, 0, -2, 0, 1}}},
+    {{{2, 0, -1}, {1, 0, -1}, {-1, 1}, {1, -1, -1, 1}, {1, 0, -2, 0, 1}, {0, 1, 0, -2, 0, 1}}},
     // quad_fourth [a c b u_a v_b w_a w_b]: the parallelogram a + c - b
     {{{1, 1, -1},
       {0, 1, -1},

@@ -14,13 +14,13 @@ struct ApexCandidate {
     Id vertex = kNone;
     double height = 0;   // of its sphere
     bool above = false;  // is it on the right side of the gate, and the gate no degenerate one?
-    std::uint32_t times = 0;  // edges of the gate it folds onto
-    std::uint32_t fan = 0;    // most tets round one of these
     bool beyond_border = false;
+    std::uint8_t fan = 0;     // most tets round one of the edges it folds onto
+    std::uint32_t times = 0;  // edges of the gate it folds onto
 };
 
-// Sorted by height, where each fold makes up for 1/32 of the gate's circumradius: in regular meshes
-// several vertices lie on one sphere. Equal ones stay in the order they came.
+// In the order of height, where each fold makes up for 1/32 of the gate's circumradius: in regular
+// meshes several vertices lie on one sphere. Equal ones stay in the order they came.
 class ApexList {
   public:
     // What is beyond those asked for is let go, or a crowd of vertices would make each tet cost the
@@ -37,15 +37,20 @@ class ApexList {
     bool holds(Id vertex) const { return place_of(vertex) < size_; }
 
     void offer(const ApexCandidate& candidate) {
+        const double rank = rank_of(candidate);
         std::size_t i = size_;
         if (i == kMost) {
-            if (!before(candidate, list_[kMost - 1])) return;
+            if (!(rank < rank_[kMost - 1])) return;
             --i;
         } else {
             ++size_;
         }
-        for (; i > 0 && before(candidate, list_[i - 1]); --i) list_[i] = list_[i - 1];
+        for (; i > 0 && rank < rank_[i - 1]; --i) {
+            list_[i] = list_[i - 1];
+            rank_[i] = rank_[i - 1];
+        }
         list_[i] = candidate;
+        rank_[i] = rank;
     }
     // Removes and returns the candidate of a vertex; a fresh one where there is none.
     ApexCandidate take(Id vertex) {
@@ -57,10 +62,11 @@ class ApexList {
             return fresh;
         }
         const ApexCandidate known = list_[i];
-        std::copy(list_.begin() + static_cast<std::ptrdiff_t>(i + 1),
-                  list_.begin() + static_cast<std::ptrdiff_t>(size_),
-                  list_.begin() + static_cast<std::ptrdiff_t>(i));
         --size_;
+        for (std::size_t k = i; k < size_; ++k) {
+            list_[k] = list_[k + 1];
+            rank_[k] = rank_[k + 1];
+        }
         return known;
     }
 
@@ -70,13 +76,13 @@ class ApexList {
         while (i < size_ && list_[i].vertex != vertex) ++i;
         return i;
     }
-    bool before(const ApexCandidate& a, const ApexCandidate& b) const {
-        if (a.above != b.above) return a.above;
-        return a.above ? a.height - worth_ * a.times < b.height - worth_ * b.times
-                       : a.times > b.times;
+    // What is not above comes last, more folds first.
+    double rank_of(const ApexCandidate& c) const {
+        return c.above ? c.height - worth_ * c.times : 1e300 / (1 + c.times);
     }
 
     std::array<ApexCandidate, kMost> list_;
+    std::array<double, kMost> rank_{};
     std::size_t size_ = 0;
     double worth_ = 0;
 };

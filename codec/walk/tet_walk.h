@@ -219,42 +219,48 @@ class TetWalk {
             if (candidate.times == 0 && !family.flat())
                 candidate.above = family.height_of(driver_.place(apex), candidate.height);
             ++candidate.times;
-            if (!beyond) candidate.fan = std::max<std::uint32_t>(candidate.fan, gate.fan[e]);
+            if (!beyond) candidate.fan = std::max(candidate.fan, gate.fan[e]);
             candidate.beyond_border = candidate.beyond_border && beyond;
             list_.offer(candidate);
         }
         return borders;
     }
 
-    // Front vertices inside the lowest sphere so far, or inside a rather high one. Where the sphere
-    // is large beside the grid's cubes the search is not made, or ends early.
+    // Front vertices inside the lowest sphere so far, or inside a rather high one; from low spheres
+    // to higher ones, until one holds a vertex. Where the sphere is large beside the grid's cubes
+    // the search is not made, or ends early.
     void offer_near(const TetFront::Triangle& gate, const SphereFamily& family) {
         if (family.flat()) return;
-        constexpr double kHighest = 6;
-        double height = family.height_at(kHighest);
-        if (!list_.empty() && list_[0].above && list_[0].height < height) height = list_[0].height;
-        search(gate, family, height, [&](const ApexCandidate& candidate) {
-            if (!list_.holds(candidate.vertex)) list_.offer(candidate);
-        });
+        for (const double relative : {0.3, 1.2, 4.0}) {
+            double height = family.height_at(relative);
+            const bool last = !list_.empty() && list_[0].above && list_[0].height <= height;
+            if (last) height = list_[0].height;
+            bool found = false;
+            search(gate, family, height, [&](const ApexCandidate& candidate) {
+                if (list_.holds(candidate.vertex)) return;
+                list_.offer(candidate);
+                found = true;
+            });
+            if (last || found) return;
+        }
     }
 
     template <class Take>
     void search(const TetFront::Triangle& gate, const SphereFamily& family, double height,
                 const Take& take) const {
-        constexpr std::uint64_t kMostCubes = 1000;
         constexpr std::uint32_t kMostVertices = 1500;
         const Point3 centre = family.centre_at(height);
         const double radius = family.radius_at(height);
         // A little more than the sphere: rounding must not leave out what lies on it.
         const double square = radius * radius * 1.000001;
         std::uint32_t seen = 0;
-        grid_.around(centre, radius, kMostCubes, [&](Id v, const VertexGrid::Entry& entry) {
+        grid_.around(centre, radius, [&](Id v, const Point3& place) {
             if (++seen > kMostVertices) return false;
-            const Point3 way = minus(entry.place, centre);
+            const Point3 way = minus(place, centre);
             if (dot(way, way) > square) return true;
             ApexCandidate candidate;
             candidate.vertex = v;
-            candidate.above = family.height_of(entry.place, candidate.height);
+            candidate.above = family.height_of(place, candidate.height);
             if (candidate.above && candidate.height <= height && !is_in(gate, v)) take(candidate);
             return true;
         });

@@ -1,4 +1,5 @@
-// The vertices of the front by place: a uniform grid of lists, most recent first.
+// The vertices of the front by place: uniform grids of lists, most recent first, the cubes of each
+// twice as large as those of the one before. A ball is looked up where it meets some dozen cubes.
 #pragma once
 
 #include <array>
@@ -12,71 +13,97 @@ namespace ravel {
 
 class VertexGrid {
   public:
-    // What a search reads of a vertex stands together.
-    struct Entry {
-        Point3 place{};
-        Id next = kNone, prev = kNone;
-        std::size_t cube = 0;
-    };
+    static constexpr std::size_t kLevels = 5;
 
-    // Cubes of side `side` from the origin on; what lies outside belongs to the nearest cube.
-    VertexGrid(double side, const std::array<std::uint32_t, 3>& count)
-        : side_(side), count_(count), heads_(std::size_t{count[0]} * count[1] * count[2], kNone) {}
+    // The smallest cubes have `side` and start at the origin; what lies outside belongs to the
+    // nearest cube.
+    VertexGrid(double side, const std::array<std::uint32_t, 3>& count) {
+        for (std::size_t l = 0; l < kLevels; ++l, side *= 2) {
+            Level& level = levels_[l];
+            level.side = side;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                level.count[axis] = l == 0 ? count[axis] : levels_[l - 1].count[axis] / 2 + 1;
+            level.heads.assign(std::size_t{level.count[0]} * level.count[1] * level.count[2],
+                               kNone);
+        }
+    }
 
     void reserve(std::size_t vertices) { entries_.reserve(vertices); }
     void insert(Id v, const Point3& p) {
         if (v >= entries_.size()) entries_.resize(v + std::size_t{1});
-        Entry& entry = entries_[v];
-        entry.place = p;
-        entry.cube = cube_at(cube_of(p[0], 0), cube_of(p[1], 1), cube_of(p[2], 2));
-        entry.next = heads_[entry.cube];
-        entry.prev = kNone;
-        if (entry.next != kNone) entries_[entry.next].prev = v;
-        heads_[entry.cube] = v;
+        entries_[v].place = p;
+        for (std::size_t l = 0; l < kLevels; ++l) {
+            Id& head = levels_[l].heads[levels_[l].cube_of(p)];
+            entries_[v].links[l] = {head, kNone};
+            if (head != kNone) entries_[head].links[l].prev = v;
+            head = v;
+        }
     }
     void erase(Id v) {
-        const Entry& entry = entries_[v];
-        if (entry.next != kNone) entries_[entry.next].prev = entry.prev;
-        if (entry.prev != kNone)
-            entries_[entry.prev].next = entry.next;
-        else
-            heads_[entry.cube] = entry.next;
+        for (std::size_t l = 0; l < kLevels; ++l) {
+            const Link link = entries_[v].links[l];
+            if (link.next != kNone) entries_[link.next].links[l].prev = link.prev;
+            if (link.prev != kNone)
+                entries_[link.prev].links[l].next = link.next;
+            else
+                levels_[l].heads[levels_[l].cube_of(entries_[v].place)] = link.next;
+        }
     }
 
-    // Calls visit(vertex, entry) for the vertices in the cubes that a ball meets, cubes in the
-    // order z, y, x, until it returns false. None where the cubes are more than `most_cubes`.
+    // Calls visit(vertex, place) for the vertices in the cubes that a ball meets, cubes in the
+    // order z, y, x, until it returns false. None where even of the largest cubes it meets too
+    // many.
     template <class Visit>
-    void around(const Point3& centre, double radius, std::uint64_t most_cubes,
-                const Visit& visit) const {
+    void around(const Point3& centre, double radius, const Visit& visit) const {
+        std::size_t l = 0;
+        while (l + 1 < kLevels && radius > 1.5 * levels_[l].side) ++l;
+        const Level& level = levels_[l];
         std::array<std::uint32_t, 3> low{}, high{};
         std::uint64_t cubes = 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = cube_of(centre[axis] - radius, axis);
-            high[axis] = cube_of(centre[axis] + radius, axis);
+            low[axis] = level.step(centre[axis] - radius, axis);
+            high[axis] = level.step(centre[axis] + radius, axis);
             cubes *= high[axis] - low[axis] + std::uint64_t{1};
         }
-        if (cubes > most_cubes) return;
+        if (cubes > kMostCubes) return;
         for (std::uint32_t z = low[2]; z <= high[2]; ++z)
-            for (std::uint32_t y = low[1]; y <= high[1]; ++y)
+            for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+                const Id* row = level.heads.data() + level.cube_at(0, y, z);
                 for (std::uint32_t x = low[0]; x <= high[0]; ++x)
-                    for (Id v = heads_[cube_at(x, y, z)]; v != kNone; v = entries_[v].next)
-                        if (!visit(v, entries_[v])) return;
+                    for (Id v = row[x]; v != kNone; v = entries_[v].links[l].next)
+                        if (!visit(v, entries_[v].place)) return;
+            }
     }
 
   private:
-    std::uint32_t cube_of(double x, std::size_t axis) const {
-        const double i = x / side_, last = count_[axis] - 1;
-        if (!(i > 0)) return 0;
-        return static_cast<std::uint32_t>(i < last ? i : last);
-    }
-    std::size_t cube_at(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
-        return (std::size_t{z} * count_[1] + y) * count_[0] + x;
-    }
+    static constexpr std::uint64_t kMostCubes = 512;
+    struct Link {
+        Id next = kNone, prev = kNone;
+    };
+    struct Entry {
+        Point3 place{};
+        std::array<Link, kLevels> links;
+    };
+    struct Level {
+        double side = 1;
+        std::array<std::uint32_t, 3> count{1, 1, 1};
+        std::vector<Id> heads;
 
-    const double side_;
-    const std::array<std::uint32_t, 3> count_;
-    std::vector<Id> heads_;
-    std::vector<Entry> entries_;  // per vertex
+        std::uint32_t step(double x, std::size_t axis) const {
+            const double i = x / side, last = count[axis] - 1;
+            if (!(i > 0)) return 0;
+            return static_cast<std::uint32_t>(i < last ? i : last);
+        }
+        std::size_t cube_at(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+            return (std::size_t{z} * count[1] + y) * count[0] + x;
+        }
+        std::size_t cube_of(const Point3& p) const {
+            return cube_at(step(p[0], 0), step(p[1], 1), step(p[2], 2));
+        }
+    };
+
+    std::array<Level, kLevels> levels_;
+    std::vector<Entry> entries_;  // per vertex; a cache line each
 };
 
 }  // namespace ravel
