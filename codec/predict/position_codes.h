@@ -65,6 +65,8 @@ class PositionCodes {
         if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
         keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
+        is_plain_ =
+            format_.grid() && !format_.has_outliers && !format_.has_levels && !courses_ && !index_;
     }
 
     void reserve(std::size_t vertices) {
@@ -76,6 +78,7 @@ class PositionCodes {
 
     // False: a value no encoder writes.
     bool next(const Stencil& stencil, const Position& truth, bool outlier) {
+        if (is_plain_) return next_plain(stencil, truth);
         if (format_.has_outliers) {
             outlier = coder_.flag(ResidualContexts::outlier.at(0), outlier);
             outliers_.push_back(outlier);
@@ -153,6 +156,23 @@ class PositionCodes {
         else
             sizes_.push();
         add(value, exact);
+        return sane;
+    }
+
+    // The same where a value is a residual on a grid and nothing else.
+    bool next_plain(const Stencil& stencil, const Position& truth) {
+        const Point3 g = guess_at(stencil);
+        sizes_.begin(stencil);
+        Point3 value{};
+        bool sane = true;
+        for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
+            std::int64_t whole = truth[axis].whole;
+            sizes_.coded(axis, code_whole(sizes_.scale(axis), whole_of(g[axis]), whole));
+            sane = whole < most_ && whole > -most_;
+            if (sane) value[axis] = static_cast<double>(whole);
+        }
+        sizes_.push();
+        values_.push_back(value);
         return sane;
     }
 
@@ -403,7 +423,7 @@ class PositionCodes {
     const PositionFormat format_;
     Predictor predictor_;
     std::int64_t most_ = 0;
-    bool keeps_exact_ = false;
+    bool keeps_exact_ = false, is_plain_ = false;
     ResidualSizes sizes_;
     std::vector<Point3> values_, exact_;
     std::vector<bool> outliers_;

@@ -40,7 +40,8 @@ class SurfaceWalk {
         while (walked_.cell_count() < limits_.cells) {
             if (!visit(kNone) || !wind_component()) return false;
         }
-        return walked_.vertex.size() == limits_.corners && walked_.vertex_count == limits_.vertices;
+        grow(corner_count_);
+        return corner_count_ == limits_.corners && walked_.vertex_count == limits_.vertices;
     }
 
     const Walked& walked() const { return walked_; }
@@ -48,6 +49,7 @@ class SurfaceWalk {
 
   private:
     enum State : std::uint8_t { open, border, gone };
+    static constexpr std::size_t kAhead = 1024;  // corners
 
     Id start_of(Id front) const { return walked_.vertex[walked_.next_in_cell(front)]; }
     Id end_of(Id front) const { return walked_.vertex[front]; }
@@ -110,7 +112,7 @@ class SurfaceWalk {
         if (walked_.cell_count() >= limits_.cells) return false;
         driver_.begin_cell(gate);
         const Id degree = code_degree(gate);
-        const auto base = static_cast<Id>(walked_.vertex.size());
+        const Id base = corner_count_;
         if (degree > limits_.corners - base || (gate != kNone && degree < 2)) return false;
         const Id cell = walked_.cell_count();
         walked_.gate.push_back(gate);
@@ -118,11 +120,8 @@ class SurfaceWalk {
             walked_.first.push_back(base + degree);
             walked_.of.resize(base + degree, cell);
         }
-        walked_.vertex.resize(base + degree, kNone);
-        walked_.twin.resize(base + degree, kNone);
-        next_.resize(base + degree, kNone);
-        prev_.resize(base + degree, kNone);
-        state_.resize(base + degree, gone);
+        corner_count_ = base + degree;
+        if (corner_count_ > state_.size()) grow(corner_count_ + kAhead);
         const bool placed = gate == kNone ? place_seed(base, degree) : place(base, degree, gate);
         if (!placed || driver_.failed()) return false;
         for (Id f = base; f < base + degree; ++f) {
@@ -133,6 +132,15 @@ class SurfaceWalk {
         }
         driver_.end_cell(cell);
         return true;
+    }
+
+    // Makes room for so many corners; the last room is given back by `run`.
+    void grow(std::size_t corners) {
+        walked_.vertex.resize(corners, kNone);
+        walked_.twin.resize(corners, kNone);
+        next_.resize(corners, kNone);
+        prev_.resize(corners, kNone);
+        state_.resize(corners, gone);
     }
 
     bool add_vertex(Id corner, const Stencil& stencil) {
@@ -158,6 +166,7 @@ class SurfaceWalk {
                 stencil.at[0] = known - 1;
             if (!add_vertex(base + i, stencil)) return false;
         }
+        near_border_start_ = near_border_end_ = false;
         for (Id i = 0; i < degree; ++i) {
             make_front(base + i, i == 0 ? kNone : base + i - 1, true, true);
             const Id before = base + (i == 0 ? degree - 1 : i - 1);
@@ -242,9 +251,47 @@ class SurfaceWalk {
 
     // The corners between both zipped chains and the sides right_end .. left_end - 1.
     bool place_middle(Id base, Id n, Id right_end, Id left_end, Id after, Id before) {
-        auto& vertex = walked_.vertex;
         const std::uint32_t dc = degree_class(n);
         const bool border_after = state_[after] == border, border_before = state_[before] == border;
+        const Id middle = left_end - right_end - 1, side = base + right_end;
+        near_border_start_ = border_after;
+        near_border_end_ = border_before;
+        if (middle == 0) {
+            make_front(side, kNone, false, false);
+            join(side, after);
+            join(before, side);
+            return true;
+        }
+        const auto code_new = [&](Id i) {
+            return driver_.flag(
+                surface::kNew.at(dc, right_end - 1, n - left_end, border_after + border_before),
+                driver_.is_new(i));
+        };
+        const bool first_is_new = code_new(right_end + 1);
+        if (middle > 1 || !first_is_new)
+            return place_corners(base, n, right_end, left_end, after, before, first_is_new,
+                                 code_new);
+        // One new corner between two new sides: by far the most frequent case.
+        if (!add_vertex(side + 1, stencil_for(base, n, right_end + 1, right_end, left_end)))
+            return false;
+        near_border_end_ = false;
+        make_front(side, kNone, false, true);
+        near_border_start_ = false;
+        near_border_end_ = border_before;
+        make_front(side + 1, side, true, false);
+        join(side, after);
+        join(side + 1, side);
+        join(before, side + 1);
+        return true;
+    }
+
+    // The same, whatever the corners are.
+    template <class CodeNew>
+    bool place_corners(Id base, Id n, Id right_end, Id left_end, Id after, Id before,
+                       bool first_is_new, const CodeNew& code_new) {
+        auto& vertex = walked_.vertex;
+        const std::uint32_t dc = degree_class(n);
+        const bool border_after = near_border_start_, border_before = near_border_end_;
         gaps_.assign(n, kNone);  // the front facet that leaves the gap of an old corner
         fresh_.assign(n + std::size_t{1}, 0);
         zipped_.assign(n, 0);
@@ -262,10 +309,7 @@ class SurfaceWalk {
                 gaps_[i] = next_[gap];
                 continue;
             }
-            const bool is_new = driver_.flag(
-                surface::kNew.at(dc, right_end - 1, n - left_end, border_after + border_before),
-                driver_.is_new(i));
-            if (is_new) {
+            if (i == right_end + 1 ? first_is_new : code_new(i)) {
                 fresh_[i] = 1;
                 if (!add_vertex(c, stencil_for(base, n, i, right_end, left_end))) return false;
                 continue;
@@ -283,7 +327,6 @@ class SurfaceWalk {
             make_front(base + i, i == right_end || zipped_[i - 1] ? kNone : base + i - 1, fresh_[i],
                        i + 1 < left_end && fresh_[i + 1]);
         }
-        near_border_start_ = near_border_end_ = false;
 
         // Each corner hands its gap over to the sides beside it. The links of zipped facets are
         // read before any is changed.
@@ -395,6 +438,7 @@ class SurfaceWalk {
     Driver& driver_;
     const WalkLimits limits_;
     Walked walked_;
+    Id corner_count_ = 0;
     std::vector<Id> next_, prev_;          // along the front, per facet
     std::vector<std::uint8_t> state_;      // per facet
     std::vector<std::uint8_t> corners_;    // per vertex: visited corners, at most 255

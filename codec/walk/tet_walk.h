@@ -40,6 +40,7 @@ class TetWalk {
     bool run() {
         while (walked_.cell_count() < limits_.cells)
             if (!visit(kNone) || !wind_component()) return false;
+        grow(4 * std::size_t{walked_.cell_count()});
         return walked_.vertex_count == limits_.vertices;
     }
 
@@ -48,6 +49,7 @@ class TetWalk {
 
   private:
     enum class Apex : std::uint8_t { fold, fresh, old };
+    static constexpr std::size_t kAhead = 1024;  // corners
 
     bool wind_component() {
         return wind(
@@ -87,13 +89,18 @@ class TetWalk {
         const Id cell = walked_.cell_count(), base = 4 * cell;
         if (base + 4 > limits_.corners) return false;
         walked_.gate.push_back(gate);
-        walked_.vertex.resize(base + 4, kNone);
-        walked_.twin.resize(base + 4, kNone);
-        triangle_of_.resize(base + 4, kNone);
+        if (base + 4 > triangle_of_.size()) grow(base + 4 + kAhead);
         if (gate == kNone ? !place_seed(base) : !place(base, gate)) return false;
         if (driver_.failed()) return false;
         driver_.end_cell(cell);
         return true;
+    }
+
+    // Makes room for so many corners; the last room is given back by `run`.
+    void grow(std::size_t corners) {
+        walked_.vertex.resize(corners, kNone);
+        walked_.twin.resize(corners, kNone);
+        triangle_of_.resize(corners, kNone);
     }
 
     bool add_vertex(Id corner, const Stencil& stencil) {
