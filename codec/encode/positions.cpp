@@ -238,6 +238,24 @@ int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places) {
     return std::clamp(bits, 1, kMostCubeBits);
 }
 
+// Do vertices often share a coordinate that their first neighbours share? Looks at some thousand.
+bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places) {
+    constexpr std::size_t kLooks = 4096;
+    const std::size_t stride = record.stencils.size() / kLooks + 1;
+    std::size_t shared = 0, kept = 0;
+    for (std::size_t v = 0; v < record.stencils.size(); v += stride) {
+        const Stencil& s = record.stencils[v];
+        if (s.at[0] == kNone || s.at[1] == kNone) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double level = places[s.at[0]][axis];
+            if (places[s.at[1]][axis] != level) continue;
+            ++shared;
+            kept += places[v][axis] == level;
+        }
+    }
+    return 8 * kept > shared;
+}
+
 Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
                           const WalkRecord& record, const std::vector<Index>& unused) {
     const PositionFormat& format = plan.format;
@@ -256,7 +274,7 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
     }
     if (!format.echoes.empty()) {
         out.u8(static_cast<std::uint8_t>(format.echoes.size()));
-        out.u8(static_cast<std::uint8_t>(format.cube_bits));
+        out.u8(static_cast<std::uint8_t>(format.cube_bits | (format.looks_far ? 128 : 0)));
         for (const Echo& echo : format.echoes) {
             out.u8(static_cast<std::uint8_t>((echo.mirrored[0] ? 1 : 0) |
                                              (echo.mirrored[1] ? 2 : 0) |
@@ -312,12 +330,15 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored);
 
-    // What helps one mesh costs another a flag per vertex: it stays where it makes the bytes fewer.
+    // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes
+    // the bytes fewer, of large meshes by a hundredth at least.
+    constexpr std::size_t kSmall = 6000;
     Bytes best = write_head_and_bits(plan, complex, record, unused);
     PositionFormat kept = plan.format;
     const auto offer = [&] {
         Bytes bytes = write_head_and_bits(plan, complex, record, unused);
-        if (bytes.size() < best.size())
+        const std::size_t worth = vertices < kSmall ? 0 : best.size() / 100;
+        if (bytes.size() + worth < best.size())
             best = std::move(bytes), kept = plan.format;
         else
             plan.format = kept;
@@ -325,6 +346,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
     const Echoes echoes = find_echoes(firm, plan.format.numbers.digits == 0);
     plan.format.cube_bits = cube_bits_of(record, places);
+    plan.format.looks_far = vertices < kSmall || complex.kind == CellKind::tet;
     plan.format.echoes = echoes.likely;
     if (!echoes.likely.empty()) offer();
     if (!echoes.more.empty() && vertices < kLarge) {
@@ -332,8 +354,14 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
             if (plan.format.echoes.size() < kMostEchoes) plan.format.echoes.push_back(echo);
         offer();
     }
-    plan.format.has_levels = true;
-    offer();
+    if (!plan.format.echoes.empty() && !plan.format.looks_far && vertices < kLarge / 4) {
+        plan.format.looks_far = true;
+        offer();
+    }
+    if (vertices < kLarge / 4 || has_level_faces(record, places)) {
+        plan.format.has_levels = true;
+        offer();
+    }
     std::size_t seeds = 0;
     for (const Stencil& stencil : record.stencils)
         seeds += stencil.configuration == Configuration::seed;

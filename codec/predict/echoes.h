@@ -35,12 +35,14 @@ struct Echo {
 inline constexpr std::size_t kMostEchoes = 8;
 inline constexpr int kMostCubeBits = 52;
 
-// Vertices by cubes of side 2^cube_bits, hashed. A look takes 8 cubes, at most 12 vertices each;
-// vertices of other cubes with the same hash are among them, so the hash is part of the format.
+// Vertices by cubes of side 2^cube_bits, hashed. A look takes 8 or 27 cubes, at most 12 vertices
+// each; vertices of other cubes with the same hash are among them, so the hash is part of the
+// format.
 class VertexIndex {
   public:
-    VertexIndex(int cube_bits, std::size_t vertices)
-        : scale_(std::ldexp(1.0, -cube_bits)),
+    VertexIndex(int cube_bits, double reach, std::size_t vertices)
+        : reach_(reach),
+          scale_(std::ldexp(1.0, -cube_bits)),
           side_(std::ldexp(1.0, cube_bits)),
           heads_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)),
                  ~Id{0}) {}
@@ -53,25 +55,30 @@ class VertexIndex {
         head = static_cast<Id>(next_.size() - 1);
     }
 
-    // The nearest vertex by the sum over the axes, and that sum, below the side of a cube.
+    // The nearest vertex by the sum over the axes, and that sum, below `reach` sides of a cube.
     struct Near {
         std::uint32_t vertex = ~std::uint32_t{0};
         double distance = 0;
     };
     Near nearest(const Point3& p, const std::vector<Point3>& values) const {
         Near best;
-        best.distance = side_;
-        std::array<std::int64_t, 3> low;
-        for (std::size_t k = 0; k < 3; ++k) low[k] = cube(p[k] * scale_ - 0.5);
-        for (int i = 0; i < 8; ++i) {
-            Id v = heads_[slot(low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2))];
-            for (int looks = 0; v != ~Id{0} && looks < 12; ++looks, v = next_[v]) {
-                const Point3& q = values[v];
-                const double d =
-                    std::abs(q[0] - p[0]) + std::abs(q[1] - p[1]) + std::abs(q[2] - p[2]);
-                if (d < best.distance) best = {v, d};
-            }
+        best.distance = side_ * reach_;
+        std::array<std::int64_t, 3> low, high;
+        for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = cube(p[k] * scale_ - reach_);
+            high[k] = cube(p[k] * scale_ + reach_);
         }
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+            for (std::int64_t y = low[1]; y <= high[1]; ++y)
+                for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+                    Id v = heads_[slot(x, y, z)];
+                    for (int looks = 0; v != ~Id{0} && looks < 12; ++looks, v = next_[v]) {
+                        const Point3& q = values[v];
+                        const double d =
+                            std::abs(q[0] - p[0]) + std::abs(q[1] - p[1]) + std::abs(q[2] - p[2]);
+                        if (d < best.distance) best = {v, d};
+                    }
+                }
         return best;
     }
 
@@ -87,7 +94,7 @@ class VertexIndex {
         return static_cast<std::size_t>(h >> 32) & (heads_.size() - 1);
     }
 
-    double scale_, side_;
+    double reach_, scale_, side_;
     std::vector<Id> heads_, next_;
 };
 

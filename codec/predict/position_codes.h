@@ -32,6 +32,7 @@ struct PositionFormat {
     bool has_follows = false;  // parts repeat: see follows.h
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
+    bool looks_far = false;    // a cube to every side, not half of one
     // Lossless tets: integers that stand for the numbers where the walk asks for places.
     bool has_stand_ins = false;
     Point3 place_origin{};
@@ -61,7 +62,8 @@ class PositionCodes {
     // `vertices`: about how many there will be, unused points among them.
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
         : coder_(coder), format_(format), predictor_(format.weights, format.mirrored) {
-        if (!format_.echoes.empty()) index_.emplace(format_.cube_bits, vertices);
+        if (!format_.echoes.empty())
+            index_.emplace(format_.cube_bits, format_.looks_far ? 1 : 0.5, vertices);
         if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
         keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
@@ -109,6 +111,7 @@ class PositionCodes {
         prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
                                                                                     : kNone;
         sizes_.begin(stencil);
+        if (format_.has_levels) gather_level(stencil);
         Point3 value{}, exact{};
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
@@ -335,20 +338,23 @@ class PositionCodes {
         return by_echo < by_guess;
     }
 
-    // A coordinate that at least two of the first known vertices share: does the new one, too?
+    // The first known vertices of the stencil; and among them a coordinate that at least two share:
+    // does the new one, too?
+    void gather_level(const Stencil& stencil) {
+        level_count_ = 0;
+        for (std::size_t i = 0; i < kLevelStencil; ++i)
+            if (stencil.at[i] != kNone) level_id_[level_count_++] = stencil.at[i];
+    }
     bool code_level(const Stencil& stencil, std::size_t axis, std::int64_t guess,
                     const Number& truth) {
         std::array<double, kLevelStencil> x;
-        std::array<Id, kLevelStencil> id;
-        std::size_t n = 0;
-        for (std::size_t i = 0; i < kLevelStencil; ++i)
-            if (stencil.at[i] != kNone)
-                id[n] = stencil.at[i], x[n] = values_[stencil.at[i]][axis], ++n;
+        const std::size_t n = level_count_;
+        for (std::size_t i = 0; i < n; ++i) x[i] = values_[level_id_[i]][axis];
         std::uint32_t most = 1;
         for (std::size_t i = 0; i + most < n; ++i) {
             std::uint32_t votes = 1;
             for (std::size_t j = i + 1; j < n; ++j) votes += x[j] == x[i];
-            if (votes > most) most = votes, level_vertex_ = id[i];
+            if (votes > most) most = votes, level_vertex_ = level_id_[i];
         }
         if (most < 2) return false;
         const double level = values_[level_vertex_][axis];
@@ -432,6 +438,8 @@ class PositionCodes {
     std::optional<Courses> courses_;
     std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
     std::array<std::uint32_t, 3> level_{};
+    std::array<Id, kLevelStencil> level_id_{};
+    std::size_t level_count_ = 0;
     Id level_vertex_ = 0, prior_ = kNone;
     std::array<bool, 3> minus_zero_{}, was_zero_{};
 };

@@ -299,7 +299,7 @@ TEST_CASE("places of any floats are integers within the grid of places") {
 TEST_CASE("the index of vertices finds the nearest one within a cube") {
     std::mt19937 random(7);
     std::vector<Point3> points;
-    VertexIndex index(3, 4000);
+    VertexIndex index(3, 0.5, 4000);
     for (int i = 0; i < 4000; ++i) {
         Point3 p;
         for (double& x : p) x = static_cast<double>(random() % 200) - 100;
