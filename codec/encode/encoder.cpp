@@ -102,6 +102,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const Reorder order = reorder_of(mesh, complex, record);
     Encoded encoded;
     encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
+    encoded.connectivity_ideal_bytes = codes.out.ideal_bits() / 8;
     encoded.position_bound = plan->bound;
     encoded.position_error = plan->error;
     encoded.order = maps_of(order, mesh, options.keep_order);

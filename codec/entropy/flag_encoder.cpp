@@ -2,8 +2,17 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 
 namespace ravel {
+
+const std::array<float, 2048> FlagModel::kBitsOf = [] {
+    std::array<float, 2048> bits{};
+    for (std::size_t i = 0; i < bits.size(); ++i)
+        bits[i] = static_cast<float>(-std::log2((static_cast<double>(i) + 0.5) / 2048));
+    return bits;
+}();
+
 namespace {
 
 class BitWriter {

@@ -51,6 +51,12 @@ class FlagModel {
         const unsigned c = chance();
         return detail::kClassOf[(c >= 32768 ? 65535u - c : c) >> 4];
     }
+    // Bits that an ideal coder would take for the flag. For reports, never for decisions: machines
+    // may differ in the last digits.
+    double cost(bool yes) const {
+        const unsigned c = chance();
+        return kBitsOf[(yes ? c : 65535u - c) >> 5];
+    }
     void update(bool yes) {
         const std::uint32_t goal = yes ? kCertain : 0;
         const std::uint32_t rate = kRate[seen_];
@@ -60,6 +66,7 @@ class FlagModel {
     }
 
   private:
+    static const std::array<float, 2048> kBitsOf;  // by chance in 1/2048
     static constexpr std::uint32_t kCertain = (1u << 22) - 1;
     static constexpr std::uint32_t kFastRate = 65536 / 20;
     static constexpr std::array<std::uint16_t, 511> kRate = [] {

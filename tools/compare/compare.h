@@ -24,6 +24,7 @@ struct Row {
     Index vertices = 0;
     std::string codec, settings;
     std::optional<std::uint64_t> bytes, connectivity_bytes, geometry_bytes, attribute_bytes;
+    std::optional<double> connectivity_ideal_bytes;  // of an ideal entropy coder, ravel only
     std::optional<double> encode_seconds, decode_seconds, max_error;
     std::string
         connectivity_kept;  // quads, tets, triangulated, lost; empty if it did not take part

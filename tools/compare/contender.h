@@ -22,6 +22,7 @@ struct Input {
 struct Packed {
     std::vector<std::byte> bytes;
     std::optional<std::uint64_t> connectivity_bytes, geometry_bytes, attribute_bytes;
+    std::optional<double> connectivity_ideal_bytes;
     OrderMaps order;  // ravel only
     double bound = 0;
 };

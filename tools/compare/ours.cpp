@@ -28,6 +28,7 @@ Result<Packed> encode_ours(const Input& input) {
         else
             *packed.attribute_bytes += section.bytes;
     }
+    packed.connectivity_ideal_bytes = encoded->connectivity_ideal_bytes;
     packed.bytes = std::move(encoded->bytes);
     packed.order = std::move(encoded->order);
     packed.bound = encoded->position_bound;

@@ -45,6 +45,7 @@ Json json_rows(const std::vector<compare::Row>& rows) {
         fact["bits_per_vertex"] = bits_each(row.bytes, row.vertices);
         fact["bits_per_cell"] = bits_each(row.bytes, row.cells);
         fact["connectivity_bits_per_cell"] = bits_each(row.connectivity_bytes, row.cells);
+        fact["connectivity_ideal_bytes"] = or_null(row.connectivity_ideal_bytes);
         fact["encode_seconds"] = or_null(row.encode_seconds);
         fact["decode_seconds"] = or_null(row.decode_seconds);
         fact["max_error"] = or_null(row.max_error);

@@ -59,6 +59,8 @@ struct Encoded {
     WalkStrip strip;
     double position_bound = 0;  // 0 for exact positions
     double position_error = 0;  // largest error, measured with the decoder's arithmetic
+    // What an ideal entropy coder would make of the codes of connectivity, under the same models.
+    double connectivity_ideal_bytes = 0;
 };
 
 // Packs a mesh. Fails on broken options or a Mesh that breaks its invariants, never on dirty
