@@ -47,6 +47,7 @@ class VertexIndex {
           heads_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)),
                  ~Id{0}) {}
 
+    double side() const { return side_; }
     void reserve(std::size_t vertices) { next_.reserve(vertices); }
 
     void insert(const Point3& p) {

@@ -107,6 +107,7 @@ class PositionCodes {
             found = find_echo(g);
             family = 0;
             if (found.vertex != ~Id{0}) echoed = code_echoed(found, truth, whole);
+            without_ = echoed ? 0 : without_ + 1;
         }
         prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
                                                                                     : kNone;
@@ -243,17 +244,26 @@ class PositionCodes {
                                                                     : std::floor(units + 0.5));
     }
 
+    // The nearest vertex that any echo leads to. The echo that served last is enough while it leads
+    // close by; after a while without any, the others are looked at in turn, one a vertex.
     Found find_echo(const Point3& g) const {
         Found found;
-        for (std::size_t e = 0; e < format_.echoes.size(); ++e) {
+        const std::size_t count = format_.echoes.size();
+        const auto look = [&](std::size_t e) {
             const auto near = index_->nearest(format_.echoes[e].back(g), values_);
             if (near.vertex == ~Id{0} ||
                 (found.vertex != ~Id{0} && near.distance >= found.distance))
-                continue;
+                return;
             found.vertex = near.vertex;
             found.distance = near.distance;
             found.echo = e;
-        }
+        };
+        look(last_echo_);
+        const bool close =
+            found.vertex != ~Id{0} && echoed_ == 7 && found.distance < index_->side() / 4;
+        const std::size_t turn = values_.size() % count;
+        for (std::size_t e = 0; e < count && !close; ++e)
+            if (e != last_echo_ && (without_ < kPatience || e == turn)) look(e);
         if (found.vertex == ~Id{0}) return found;
         const Echo& echo = format_.echoes[found.echo];
         found.copies = true;
@@ -279,6 +289,7 @@ class PositionCodes {
             static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(found.distance)));
         better = coder_.flag(ResidualContexts::echo.at(far, echoed_), better);
         echoed_ = (echoed_ << 1 | (better ? 1u : 0u)) & 7;
+        if (better) last_echo_ = found.echo;
         return better;
     }
 
@@ -436,6 +447,9 @@ class PositionCodes {
     std::vector<std::array<std::uint64_t, 3>> raw_;
     std::optional<VertexIndex> index_;
     std::optional<Courses> courses_;
+    static constexpr std::uint64_t kPatience = 8;
+    std::size_t last_echo_ = 0;
+    std::uint64_t without_ = 0;  // vertices since an echo served
     std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
     std::array<std::uint32_t, 3> level_{};
     std::array<Id, kLevelStencil> level_id_{};
