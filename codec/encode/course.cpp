@@ -26,7 +26,8 @@ WalkLimits limits_of(const Complex& complex) {
 // looks for mirror images.
 void choose_grid(const Complex& complex, const std::vector<Point3>& places, BlockHead& block) {
     Point3 high{};
-    double length = 0;
+    // Whole numbers add up to the same whatever the order of the cells and their corners.
+    std::uint64_t length = 0;
     Index edges = 0, negative = 0, positive = 0;
     for (Id base = 0; base < complex.twin.size(); base += 4) {
         std::array<Point3, 4> p;
@@ -35,16 +36,21 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
             for (std::size_t axis = 0; axis < 3; ++axis)
                 high[axis] = std::max(high[axis], p[i][axis]);
         }
-        const Point3 u = minus(p[1], p[0]);
-        const double volume = dot(cross(u, minus(p[2], p[0])), minus(p[3], p[0]));
+        const double volume =
+            dot(cross(minus(p[1], p[0]), minus(p[2], p[0])), minus(p[3], p[0]));
         positive += volume > 0;
         negative += volume < 0;
-        length += std::sqrt(dot(u, u));
-        ++edges;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const Point3 edge = minus(p[i], p[j]);
+                length += static_cast<std::uint64_t>(
+                    std::min(std::sqrt(dot(edge, edge)), 0x1p30));
+                ++edges;
+            }
     }
     block.mirrored = negative > positive;
     double side =
-        edges == 0 ? 1 : std::max(1.0, std::floor(length / 2 / static_cast<double>(edges)));
+        edges == 0 ? 1 : std::max<double>(1, static_cast<double>(length / edges / 2));
     for (;; side = std::floor(side * 1.25) + 1) {
         std::uint64_t cubes = 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -20,12 +20,20 @@ namespace {
 
 Status check_options(const EncodeOptions& options) {
     const auto bad = [](std::string why) { return Error{Code::bad_option, 0, std::move(why)}; };
-    if (options.position_bits && options.max_error)
-        return bad("give position bits or a largest error, not both");
+    const int grids = options.position_bits.has_value() + options.max_error.has_value() +
+                      options.max_error_relative.has_value() + options.lattice.has_value();
+    if (grids > 1) return bad("give position bits, a largest error or a lattice, only one of them");
     if (options.position_bits && (*options.position_bits < 1 || *options.position_bits > 30))
         return bad("position bits are 1 to 30");
     if (options.max_error && !(*options.max_error > 0 && *options.max_error < 1e300))
         return bad("the largest error is a number above 0");
+    if (options.max_error_relative &&
+        !(*options.max_error_relative > 0 && *options.max_error_relative <= 1))
+        return bad("the largest relative error is a number above 0 and at most 1");
+    int exponent = 0;
+    if (options.lattice && !(*options.lattice > 0 && *options.lattice < 1e300 &&
+                             std::frexp(*options.lattice, &exponent) == 0.5))
+        return bad("the step of a lattice is a power of two, such as 0.0009765625 (1/1024)");
     if (options.level < 1 || options.level > 22) return bad("the level is 1 to 22");
     if (options.strip_budget && !(*options.strip_budget >= 0))
         return bad("the strip budget is a percentage of at least 0");

@@ -64,8 +64,82 @@ double float32_below(double x) {
     return -float32_above(-x);
 }
 
-// Puts every point on the grid; those that miss `bound` become outliers.
-void place_on_grid(const Array& positions, PositionPlan& plan) {
+// x rounded up (down) to ten bits. A mesh whose box has shrunk a little, as it does on a grid, gets
+// the same step again.
+double few_bits_above(double x) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    return std::min(std::ldexp(std::ceil(std::ldexp(fraction, 10)), exponent - 10), 0x1p1023);
+}
+// The least power of two that is not below x.
+double power_above(double x) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    return fraction == 0.5 || fraction == 0 ? x : std::ldexp(1.0, exponent);
+}
+double few_bits_below(double x) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    return std::ldexp(std::floor(std::ldexp(fraction, 10)), exponent - 10);
+}
+
+// The box of all points but for a few that would make it hundreds of times as large: they are left
+// to be outliers.
+Box robust_box(const Array& positions, std::size_t points) {
+    constexpr std::size_t kFewest = 20;  // points among which one may be let go
+    constexpr double kMuch = 256;
+    Box box = box_of(positions, points);
+    if (points < kFewest) return box;
+    std::vector<double> values;
+    Box core;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        values.clear();
+        for (std::size_t p = 0; p < points; ++p)
+            if (finite_point(positions, p)) values.push_back(value_at(positions, 3 * p + axis));
+        if (values.size() < kFewest) return box;
+        const std::size_t spare = values.size() / 200 + 1;
+        const auto low = values.begin() + static_cast<std::ptrdiff_t>(spare);
+        const auto high = values.end() - static_cast<std::ptrdiff_t>(spare + 1);
+        std::nth_element(values.begin(), low, values.end());
+        core.low[axis] = *low;
+        std::nth_element(low, high, values.end());
+        core.high[axis] = *high;
+        core.longest = std::max(core.longest, core.high[axis] - core.low[axis]);
+    }
+    if (!(box.longest > kMuch * core.longest) || core.longest == 0) return box;
+    // What is as near as the core is large belongs to it.
+    Box kept;
+    bool any = false;
+    for (std::size_t p = 0; p < points; ++p) {
+        bool near = finite_point(positions, p);
+        for (std::size_t axis = 0; axis < 3 && near; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            near = x >= core.low[axis] - core.longest && x <= core.high[axis] + core.longest;
+        }
+        if (!near) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            kept.low[axis] = any ? std::min(kept.low[axis], x) : x;
+            kept.high[axis] = any ? std::max(kept.high[axis], x) : x;
+            kept.farthest = std::max(kept.farthest, std::abs(x));
+        }
+        any = true;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        kept.longest = std::max(kept.longest, kept.high[axis] - kept.low[axis]);
+    return kept;
+}
+
+// The grid number of a coordinate. On a lattice the nearest multiple of the step is found first, so
+// that it does not depend on the origin.
+double grid_number(const PositionPlan& plan, std::size_t axis, double x, bool lattice) {
+    const double step = plan.grid.step, origin = plan.grid.origin[axis];
+    return lattice ? std::floor(x / step + 0.5) - origin / step
+                   : std::floor((x - origin) / step + 0.5);
+}
+
+// Puts every point on the grid; those that miss `bound`, or lie out of its box, become outliers.
+void place_on_grid(const Array& positions, const Box& box, bool lattice, PositionPlan& plan) {
     const std::size_t points = positions.count();
     plan.error = 0;
     std::size_t outliers = 0;
@@ -74,8 +148,9 @@ void place_on_grid(const Array& positions, PositionPlan& plan) {
         double error = 0;
         for (std::size_t axis = 0; axis < 3 && fits; ++axis) {
             const double x = value_at(positions, 3 * p + axis);
-            const double q = std::floor((x - plan.grid.origin[axis]) / plan.grid.step + 0.5);
-            fits = std::abs(q) < static_cast<double>(kMostGrid);
+            const double q = grid_number(plan, axis, x, lattice);
+            fits = std::abs(q) < static_cast<double>(kMostGrid) && x >= box.low[axis] &&
+                   x <= box.high[axis];
             if (!fits) break;
             plan.values[p][axis] = {static_cast<std::int64_t>(q), 0, 0, false};
             error = std::max(error,
@@ -146,50 +221,54 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
     PositionPlan plan;
     plan.format.narrow = positions.scalar == Scalar::f32;
     plan.values.resize(points);
-    if (!options.position_bits && !options.max_error) {
+    if (!options.position_bits && !options.max_error && !options.max_error_relative &&
+        !options.lattice) {
         place_exactly(positions, plan);
         return plan;
     }
     plan.outlier.assign(points, false);
-    Box box = box_of(positions, points);
-    // An origin of few digits, unless the mesh lies so far from zero that it would widen the box.
-    const double spare = options.position_bits
-                             ? std::ldexp(box.longest, -*options.position_bits - 4)
-                             : *options.max_error / 4;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double origin = float32_below(box.low[axis]);
-        if (box.low[axis] - origin < spare) box.low[axis] = origin;
-        box.longest = std::max(box.longest, box.high[axis] - box.low[axis]);
-    }
-    plan.grid.origin = box.low;
+    const Box box = robust_box(positions, points);
     const double longest = std::isfinite(box.longest) ? box.longest : 0;
+    // What rounding to the mesh's floats may add to an error.
+    const double spacing =
+        std::ldexp(power_above(box.farthest / 4), plan.format.narrow ? -22 : -51);
+    Grid& grid = plan.grid;
     if (options.position_bits) {
         const double cells = std::ldexp(1.0, *options.position_bits) - 1;
-        plan.grid.step = float32_above(longest / cells);
-        if (!(plan.grid.step > 0) || !std::isfinite(plan.grid.step)) plan.grid.step = 1;
-        plan.bits = static_cast<std::uint8_t>(*options.position_bits);
-        // Half a step, and what rounding to the mesh's floats can add.
-        plan.bound = float32_above(plan.grid.step / 2 +
-                                   box.farthest * (plan.format.narrow ? 0x1p-23 : 0x1p-51));
-        place_on_grid(positions, plan);
+        grid.step = few_bits_above(longest / cells);
+    } else if (options.lattice) {
+        grid.step = *options.lattice;
     } else {
-        plan.bound = *options.max_error;
-        plan.grid.step = float32_below(2 * plan.bound);
-        if (longest / plan.grid.step >= static_cast<double>(kMostGrid))
-            return Error{Code::bad_option, 0,
-                         "the largest error asked for is too small for a grid over this mesh; "
-                         "leave it out to "
-                         "store positions exactly"};
-        place_on_grid(positions, plan);
-        // Rounding may push points over the bound; a slightly finer grid leaves room for it.
-        for (int attempt = 0; attempt < 3 && plan.format.has_outliers; ++attempt) {
-            plan.grid.step =
-                float32_below(plan.grid.step * (1 - std::ldexp(1.0, -12 + 4 * attempt)));
-            place_on_grid(positions, plan);
+        plan.bound = options.max_error.value_or(0);
+        if (options.max_error_relative) {
+            double square = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                square += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
+            plan.bound = few_bits_below(*options.max_error_relative * std::sqrt(square));
+            if (!(plan.bound > 0) || !std::isfinite(plan.bound)) plan.bound = 1;
         }
-        plan.bits = static_cast<std::uint8_t>(
-            std::bit_width(static_cast<std::uint64_t>(std::ceil(longest / plan.grid.step))));
+        grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
     }
+    if (!(grid.step > 0)) grid.step = 1;
+    if (options.position_bits || options.lattice)
+        plan.bound = float32_above(grid.step / 2 + 2 * spacing);
+    if (longest / grid.step >= static_cast<double>(kMostGrid) ||
+        (options.lattice && box.farthest / grid.step >= 0x1p52))
+        return Error{Code::bad_option, 0,
+                     "the largest error (or the lattice) asked for is too small for a grid over "
+                     "this mesh; leave it out to store positions exactly"};
+    // An origin of few digits, unless the mesh lies so far from zero that it would widen the box.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double low = box.low[axis], near = float32_below(low);
+        grid.origin[axis] = options.lattice               ? std::floor(low / grid.step) * grid.step
+                            : low - near < grid.step / 16 ? near
+                                                          : low;
+    }
+    plan.bits = options.position_bits
+                    ? static_cast<std::uint8_t>(*options.position_bits)
+                    : static_cast<std::uint8_t>(std::bit_width(
+                          static_cast<std::uint64_t>(std::ceil(longest / grid.step))));
+    place_on_grid(positions, box, options.lattice.has_value(), plan);
     if (!plan.format.has_outliers) plan.outlier.clear();
     plan.error = std::min(float32_above(plan.error), plan.bound);
     return plan;

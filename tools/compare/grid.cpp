@@ -22,8 +22,11 @@ bool all_finite(const Mesh& mesh) {
 }
 
 std::optional<Grid> grid_for(const Mesh& mesh, const EncodeOptions& options) {
-    if (!options.position_bits && !options.max_error) return std::nullopt;
+    if (!options.position_bits && !options.max_error && !options.max_error_relative &&
+        !options.lattice)
+        return std::nullopt;
     Grid grid;
+    double square = 0;  // of the box's diagonal
     for (int k = 0; k < 3; ++k) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (Index p = 0; p < mesh.point_count(); ++p) {
@@ -32,6 +35,7 @@ std::optional<Grid> grid_for(const Mesh& mesh, const EncodeOptions& options) {
             low = std::min(low, x), high = std::max(high, x);
         }
         if (!(low <= high)) continue;
+        square += (high - low) * (high - low);
         grid.origin[k] = static_cast<double>(static_cast<float>(low));
         grid.range = std::max(
             grid.range, static_cast<double>(static_cast<float>(high) - static_cast<float>(low)));
@@ -40,8 +44,11 @@ std::optional<Grid> grid_for(const Mesh& mesh, const EncodeOptions& options) {
     if (options.position_bits) {
         grid.bits = *options.position_bits;
     } else {
+        const double error = options.max_error ? *options.max_error
+                             : options.lattice ? *options.lattice / 2
+                                               : *options.max_error_relative * std::sqrt(square);
         grid.bits = 1;
-        while (grid.bits < 30 && grid.step() / 2 > *options.max_error) ++grid.bits;
+        while (grid.bits < 30 && grid.step() / 2 > error) ++grid.bits;
     }
     return grid;
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
+#include <cmath>
 
 namespace ravel::tool {
 namespace {
@@ -28,6 +30,21 @@ CLI::Validator percentage() {
     return between(0, 1000, "a percentage from 0 to 1000");
 }
 
+// A number, or a power of two written 2^-10.
+double step_of(const std::string& text) {
+    const bool power = text.starts_with("2^");
+    const char* const end = text.data() + text.size();
+    double value = 0;
+    const auto [stop, problem] = std::from_chars(text.data() + (power ? 2 : 0), end, value);
+    const bool read = problem == std::errc() && stop == end;
+    const double step = power ? std::exp2(value) : value;
+    int exponent = 0;
+    if (!read || !(step > 0) || !std::isfinite(step) || std::frexp(step, &exponent) != 0.5)
+        throw CLI::ValidationError(
+            "--lattice", fmt::format("'{}' is not a power of two, such as 2^-10 or 0.5", text));
+    return step;
+}
+
 }  // namespace
 
 void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
@@ -41,6 +58,18 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                       ->check(positive_number())
                       ->type_name("E")
                       ->group("Positions");
+    auto* relative = verb.add_option("--max-error-relative", flags.max_error_relative,
+                                     "The same, E in diagonals of the bounding box")
+                         ->check(positive_number())
+                         ->type_name("E")
+                         ->group("Positions");
+    auto* lattice =
+        verb.add_option_function<std::string>(
+                "--lattice", [&flags](const std::string& text) { flags.lattice = step_of(text); },
+                "Positions on multiples of STEP, a power of two such as 2^-10; meshes packed one by "
+                "one agree where they meet")
+            ->type_name("STEP")
+            ->group("Positions");
     auto* lossless =
         verb.add_flag("--lossless", flags.lossless, "Positions to the last bit (the default)")
             ->group("Positions");
@@ -48,8 +77,9 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
         ->excludes(bits)
         ->excludes(error)
         ->group("Positions");
-    bits->excludes(error)->excludes(lossless);
-    error->excludes(lossless);
+    const std::array<CLI::Option*, 5> grids{bits, error, relative, lattice, lossless};
+    for (std::size_t i = 0; i < grids.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) grids[i]->excludes(grids[j]);
     verb.add_flag("--keep-order", flags.keep_order,
                   "Restore the order of points and cells and where each polygon starts")
         ->group("Connectivity");
@@ -72,6 +102,8 @@ EncodeOptions options_of(const EncodeFlags& flags) {
     EncodeOptions options;
     if (flags.position_bits > 0) options.position_bits = flags.position_bits;
     if (flags.max_error > 0) options.max_error = flags.max_error;
+    if (flags.max_error_relative > 0) options.max_error_relative = flags.max_error_relative;
+    if (flags.lattice > 0) options.lattice = flags.lattice;
     options.float32 = flags.float32;
     options.keep_order = flags.keep_order;
     if (flags.strip_budget >= 0) options.strip_budget = flags.strip_budget;
@@ -84,6 +116,9 @@ std::string words_for(const EncodeOptions& options) {
     std::string words = "lossless";
     if (options.position_bits) words = fmt::format("{} bits", *options.position_bits);
     if (options.max_error) words = fmt::format("error <= {:g}", *options.max_error);
+    if (options.max_error_relative)
+        words = fmt::format("error <= {:g} diagonals", *options.max_error_relative);
+    if (options.lattice) words = fmt::format("lattice {:g}", *options.lattice);
     if (options.float32) words += ", float32";
     if (options.keep_order) words += ", order kept";
     if (options.level != EncodeOptions{}.level) words += fmt::format(", level {}", options.level);

@@ -12,6 +12,8 @@ namespace ravel::tool {
 struct EncodeFlags {
     int position_bits = 0;  // 0: not given
     double max_error = 0;   // 0: not given
+    double max_error_relative = 0;
+    double lattice = 0;
     bool lossless = false;
     bool float32 = false;
     bool keep_order = false;

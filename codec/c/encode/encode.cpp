@@ -20,6 +20,8 @@ EncodeOptions options_of(const ravel_encode_options& given) {
     EncodeOptions options;
     if (given.position_bits != 0) options.position_bits = given.position_bits;
     if (given.max_error != 0) options.max_error = given.max_error;
+    if (given.max_error_relative != 0) options.max_error_relative = given.max_error_relative;
+    if (given.lattice != 0) options.lattice = given.lattice;
     if (given.strip_budget >= 0) options.strip_budget = given.strip_budget;
     options.level = given.level;
     options.keep_order = given.keep_order != 0;

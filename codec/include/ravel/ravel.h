@@ -27,6 +27,10 @@ struct EncodeOptions {
     // Positions: exact unless one of these is given. They exclude each other.
     std::optional<int> position_bits;  // 1..30 bits along the longest side of the bounding box
     std::optional<double> max_error;   // > 0, largest absolute error of any coordinate
+    std::optional<double> max_error_relative;  // > 0, the same in diagonals of the bounding box
+    // A power of two: every coordinate becomes the nearest multiple. Meshes packed one by one on the
+    // same lattice agree bit for bit on the points they share.
+    std::optional<double> lattice;
     bool float32 = false;              // round float64 positions to float32 first
     bool keep_order = false;  // restore point and cell order, start corners, tet permutations
     // Percent of cells that the strip may add when it is read as the walk runs; 2.5 for polygons, 12

@@ -289,13 +289,17 @@ int ravel_mesh_add_note(ravel_mesh* mesh, const char* key, const char* text, rav
 
 typedef struct ravel_encode_options {
     uint32_t struct_size;
-    int32_t position_bits; /* 1..30 along the longest side; 0: exact, or as max_error says */
-    double max_error;      /* largest error of any coordinate; 0: exact, or as bits say */
+    /* Positions are exact unless one of position_bits, max_error, max_error_relative and lattice is
+     * not 0. */
+    int32_t position_bits; /* 1..30 along the longest side */
+    double max_error;      /* largest error of any coordinate */
     double strip_budget;   /* percent of cells the strip may add unmended; < 0: ravel's choice */
     int32_t level;         /* zstd's, 1..22 */
     uint32_t keep_order;   /* 1: the order of points and cells comes back */
     uint32_t float32;      /* 1: round F64 positions to F32 first */
     uint32_t reserved;     /* 0 */
+    double max_error_relative; /* as max_error, in diagonals of the bounding box */
+    double lattice; /* a power of two: coordinates become multiples of it, alike in every mesh */
 } ravel_encode_options;
 void ravel_encode_options_init(ravel_encode_options* options);
 
