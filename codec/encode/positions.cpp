@@ -64,19 +64,13 @@ double float32_below(double x) {
     return -float32_above(-x);
 }
 
-// x rounded up (down) to ten bits. A mesh whose box has shrunk a little, as it does on a grid, gets
-// the same step again.
-double few_bits_above(double x) {
-    int exponent = 0;
-    const double fraction = std::frexp(x, &exponent);
-    return std::min(std::ldexp(std::ceil(std::ldexp(fraction, 10)), exponent - 10), 0x1p1023);
-}
 // The least power of two that is not below x.
 double power_above(double x) {
     int exponent = 0;
     const double fraction = std::frexp(x, &exponent);
     return fraction == 0.5 || fraction == 0 ? x : std::ldexp(1.0, exponent);
 }
+// x rounded down to ten bits.
 double few_bits_below(double x) {
     int exponent = 0;
     const double fraction = std::frexp(x, &exponent);
@@ -128,6 +122,63 @@ Box robust_box(const Array& positions, std::size_t points) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         kept.longest = std::max(kept.longest, kept.high[axis] - kept.low[axis]);
     return kept;
+}
+
+bool lies_on(const Array& positions, const Box& box, double step) {
+    for (std::size_t p = 0; p < positions.count(); ++p)
+        for (std::size_t axis = 0; axis < 3 && finite_point(positions, p); ++axis) {
+            const double q = (value_at(positions, 3 * p + axis) - box.low[axis]) / step;
+            if (std::abs(q - std::floor(q + 0.5)) > 1.0 / 64) return false;
+        }
+    return true;
+}
+
+// 2^bits steps along the longest side; a mesh that was on such a grid before, its first and last
+// points half a step off the ends, gets the same step again, so that its points stay where they
+// are.
+double step_over(const Array& positions, const Box& box, int bits) {
+    if (!std::isfinite(box.longest)) return 1;
+    const double cells = std::ldexp(1.0, bits);
+    for (const double other : {cells + 1, cells - 1}) {
+        if (bits < 8 || box.longest > 1e30) break;
+        const auto step = static_cast<double>(static_cast<float>(box.longest / other));
+        if (step > 0 && lies_on(positions, box, step)) return step;
+    }
+    return float32_above(box.longest / cells);
+}
+
+// How many coordinates have a mirror image about `centre`, to an eighth of a step.
+std::size_t mirrored_about(double centre, const std::vector<double>& sorted, double step) {
+    std::size_t count = 0;
+    for (std::size_t i = 0, j = sorted.size(); i < j;) {
+        const double sum = (sorted[i] - centre) + (sorted[j - 1] - centre);
+        const bool match = std::abs(sum) < step / 8;
+        count += match;
+        if (match || sum < 0) ++i;
+        if (match || !(sum < 0)) --j;
+    }
+    return count;
+}
+
+// Where the grid starts on an axis: what is mirrored about zero, or about the middle of the box, is
+// mirrored on the grid too. A number of few digits, unless that would widen the grid.
+double origin_on(const Array& positions, const Box& box, std::size_t axis, double step) {
+    const double low = box.low[axis], high = box.high[axis];
+    const double middle = low + (high - low) / 2;
+    double origin = std::abs(low / step) < 0x1p40 ? std::floor(low / step) * step : low;
+    if (std::abs(middle) > step / 64 && std::isfinite(middle)) {
+        std::vector<double> sorted;
+        for (std::size_t p = 0; p < positions.count(); ++p) {
+            const double x = value_at(positions, 3 * p + axis);
+            if (x >= low && x <= high) sorted.push_back(x);
+        }
+        std::sort(sorted.begin(), sorted.end());
+        if (mirrored_about(middle, sorted, step) > mirrored_about(0, sorted, step))
+            origin = middle - std::ceil((middle - low) * 2 / step) * step / 2;
+    }
+    if (!std::isfinite(origin)) return low;
+    const double near = float32_below(origin);
+    return origin - near < step / 16 ? near : origin;
 }
 
 // The grid number of a coordinate. On a lattice the nearest multiple of the step is found first, so
@@ -234,8 +285,7 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         std::ldexp(power_above(box.farthest / 4), plan.format.narrow ? -22 : -51);
     Grid& grid = plan.grid;
     if (options.position_bits) {
-        const double cells = std::ldexp(1.0, *options.position_bits) - 1;
-        grid.step = few_bits_above(longest / cells);
+        grid.step = step_over(positions, box, *options.position_bits);
     } else if (options.lattice) {
         grid.step = *options.lattice;
     } else {
@@ -247,7 +297,7 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
             plan.bound = few_bits_below(*options.max_error_relative * std::sqrt(square));
             if (!(plan.bound > 0) || !std::isfinite(plan.bound)) plan.bound = 1;
         }
-        grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
+        grid.step = float32_below(2 * plan.bound);
     }
     if (!(grid.step > 0)) grid.step = 1;
     if (options.position_bits || options.lattice)
@@ -257,18 +307,22 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         return Error{Code::bad_option, 0,
                      "the largest error (or the lattice) asked for is too small for a grid over "
                      "this mesh; leave it out to store positions exactly"};
-    // An origin of few digits, unless the mesh lies so far from zero that it would widen the box.
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double low = box.low[axis], near = float32_below(low);
-        grid.origin[axis] = options.lattice               ? std::floor(low / grid.step) * grid.step
-                            : low - near < grid.step / 16 ? near
-                                                          : low;
+    const auto place = [&] {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            grid.origin[axis] = options.lattice ? std::floor(box.low[axis] / grid.step) * grid.step
+                                                : origin_on(positions, box, axis, grid.step);
+        place_on_grid(positions, box, options.lattice.has_value(), plan);
+    };
+    place();
+    if (plan.format.has_outliers && (options.max_error || options.max_error_relative)) {
+        // Rounding pushed some over the bound; a slightly finer grid has room for it.
+        grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
+        place();
     }
     plan.bits = options.position_bits
                     ? static_cast<std::uint8_t>(*options.position_bits)
                     : static_cast<std::uint8_t>(std::bit_width(
                           static_cast<std::uint64_t>(std::ceil(longest / grid.step))));
-    place_on_grid(positions, box, options.lattice.has_value(), plan);
     if (!plan.format.has_outliers) plan.outlier.clear();
     plan.error = std::min(float32_above(plan.error), plan.bound);
     return plan;
