@@ -51,7 +51,10 @@ class VertexIndex {
     void reserve(std::size_t vertices) { next_.reserve(vertices); }
 
     void insert(const Point3& p) {
-        Id& head = heads_[slot(cube(p[0] * scale_), cube(p[1] * scale_), cube(p[2] * scale_))];
+        std::uint64_t hash = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            hash ^= static_cast<std::uint64_t>(cube(p[k] * scale_)) * kFactor[k];
+        Id& head = heads_[slot(hash)];
         next_.push_back(head);
         head = static_cast<Id>(next_.size() - 1);
     }
@@ -64,15 +67,18 @@ class VertexIndex {
     Near nearest(const Point3& p, const std::vector<Point3>& values) const {
         Near best;
         best.distance = side_ * reach_;
-        std::array<std::int64_t, 3> low, high;
+        std::array<std::array<std::uint64_t, 3>, 3> parts;  // of the hash, per axis and step
+        std::array<std::size_t, 3> steps;
         for (std::size_t k = 0; k < 3; ++k) {
-            low[k] = cube(p[k] * scale_ - reach_);
-            high[k] = cube(p[k] * scale_ + reach_);
+            const std::int64_t low = cube(p[k] * scale_ - reach_);
+            steps[k] = static_cast<std::size_t>(cube(p[k] * scale_ + reach_) - low) + 1;
+            for (std::size_t i = 0; i < steps[k]; ++i)
+                parts[k][i] = (static_cast<std::uint64_t>(low) + i) * kFactor[k];
         }
-        for (std::int64_t z = low[2]; z <= high[2]; ++z)
-            for (std::int64_t y = low[1]; y <= high[1]; ++y)
-                for (std::int64_t x = low[0]; x <= high[0]; ++x) {
-                    Id v = heads_[slot(x, y, z)];
+        for (std::size_t z = 0; z < steps[2]; ++z)
+            for (std::size_t y = 0; y < steps[1]; ++y)
+                for (std::size_t x = 0; x < steps[0]; ++x) {
+                    Id v = heads_[slot(parts[0][x] ^ parts[1][y] ^ parts[2][z])];
                     for (int looks = 0; v != ~Id{0} && looks < 12; ++looks, v = next_[v]) {
                         const Point3& q = values[v];
                         const double d =
@@ -85,14 +91,12 @@ class VertexIndex {
 
   private:
     using Id = std::uint32_t;
-    static std::int64_t cube(double x) {
-        return static_cast<std::int64_t>(std::floor(std::clamp(x, -0x1p60, 0x1p60)));
-    }
-    std::size_t slot(std::int64_t x, std::int64_t y, std::int64_t z) const {
-        const std::uint64_t h = (static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u) ^
-                                (static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu) ^
-                                (static_cast<std::uint64_t>(z) * 0x165667B19E3779F9u);
-        return static_cast<std::size_t>(h >> 32) & (heads_.size() - 1);
+    static constexpr std::array<std::uint64_t, 3> kFactor{0x9E3779B97F4A7C15u, 0xC2B2AE3D27D4EB4Fu,
+                                                          0x165667B19E3779F9u};
+
+    static std::int64_t cube(double x) { return whole_below(std::clamp(x, -0x1p60, 0x1p60)); }
+    std::size_t slot(std::uint64_t hash) const {
+        return static_cast<std::size_t>(hash >> 32) & (heads_.size() - 1);
     }
 
     double reach_, scale_, side_;

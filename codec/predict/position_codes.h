@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,7 +21,7 @@
 
 namespace ravel {
 
-inline constexpr std::size_t kLevelStencil = 7;
+inline constexpr std::size_t kLevelStencil = 7, kLevelLanes = 8;
 
 struct PositionFormat {
     NumberFormat numbers;
@@ -240,8 +241,8 @@ class PositionCodes {
     }
     // The whole part nearest to a value; where there are digits behind the point they are cut off.
     std::int64_t whole_of(double units) const {
-        return static_cast<std::int64_t>(format_.numbers.digits > 0 ? units
-                                                                    : std::floor(units + 0.5));
+        return format_.numbers.digits > 0 ? static_cast<std::int64_t>(units)
+                                          : whole_below(units + 0.5);
     }
 
     // The nearest vertex that any echo leads to. The echo that served last is enough while it leads
@@ -358,20 +359,25 @@ class PositionCodes {
     }
     bool code_level(const Stencil& stencil, std::size_t axis, std::int64_t guess,
                     const Number& truth) {
-        std::array<double, kLevelStencil> x;
-        const std::size_t n = level_count_;
-        for (std::size_t i = 0; i < n; ++i) x[i] = values_[level_id_[i]][axis];
-        std::uint32_t most = 1;
-        for (std::size_t i = 0; i + most < n; ++i) {
-            std::uint32_t votes = 1;
-            for (std::size_t j = i + 1; j < n; ++j) votes += x[j] == x[i];
-            if (votes > most) most = votes, level_vertex_ = level_id_[i];
-        }
+        // Pairs at distance 1, 2, ... all at once: each of the first counts those after it that are
+        // equal to it. What is beyond the last equals nothing.
+        constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+        std::array<double, 2 * kLevelLanes> x;
+        x.fill(kNothing);
+        for (std::size_t i = 0; i < level_count_; ++i) x[i] = values_[level_id_[i]][axis];
+        std::array<std::int64_t, kLevelLanes> votes;
+        votes.fill(1);
+        for (std::size_t way = 1; way < kLevelStencil; ++way)
+            for (std::size_t i = 0; i < kLevelLanes; ++i) votes[i] += x[i] == x[i + way];
+        std::int64_t most = 1;
+        for (std::size_t i = 0; i < kLevelLanes; ++i)
+            if (votes[i] > most) most = votes[i], level_vertex_ = level_id_[i];
         if (most < 2) return false;
         const double level = values_[level_vertex_][axis];
         const bool same = coder_.flag(
-            ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration), most,
-                                       level_[axis], guess == static_cast<std::int64_t>(level)),
+            ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration),
+                                       static_cast<std::uint32_t>(most), level_[axis],
+                                       guess == static_cast<std::int64_t>(level)),
             Coder::kWrites && is(truth, level));
         level_[axis] = (level_[axis] << 1 | (same ? 1u : 0u)) & 3;
         return same;
@@ -452,7 +458,7 @@ class PositionCodes {
     std::uint64_t without_ = 0;  // vertices since an echo served
     std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
     std::array<std::uint32_t, 3> level_{};
-    std::array<Id, kLevelStencil> level_id_{};
+    std::array<Id, kLevelLanes> level_id_{};
     std::size_t level_count_ = 0;
     Id level_vertex_ = 0, prior_ = kNone;
     std::array<bool, 3> minus_zero_{}, was_zero_{};
