@@ -5,6 +5,6 @@ for verb in "" encode decode info verify strip compare make view; do
     [ "$(wc -l <help)" -ge 5 ] || echo "help of '$verb' is short"
 done
 ravel --help | grep -c '^  \(encode\|decode\|info\|verify\|strip\|compare\|make\|view\) '
-for verb in encode decode verify strip compare make; do
+for verb in encode decode verify strip compare make view; do
     ravel $verb --help | grep -q '^Example' || echo "$verb has no examples"
 done

@@ -19,5 +19,6 @@ try strip cube.obj --method magic
 try make torus:quads=many -o x.obj
 try make cone -o x.obj
 try make tiny:cube
-try view cube.obj
+try view
+try view cube.obj --port 70000
 ls

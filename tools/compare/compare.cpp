@@ -35,7 +35,7 @@ auto timed(std::optional<double>& seconds, F work) {
     return std::move(*result);
 }
 
-void run(const Contender& contender, const Input& input, Row& row) {
+void run(const Contender& contender, const Input& input, bool keep_file, Row& row) {
     row.note = contender.refuses(input);
     if (!row.note.empty()) return;
     auto packed = timed(row.encode_seconds, [&] { return contender.encode(input); });
@@ -66,6 +66,7 @@ void run(const Contender& contender, const Input& input, Row& row) {
     row.connectivity_kept = verdict.connectivity_kept;
     row.max_error = verdict.max_error;
     row.note = verdict.note;
+    if (keep_file && row.codec == "ravel") row.file = std::move(packed->bytes);
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ std::vector<Row> compare_mesh(const std::string& name, Mesh mesh, const Request&
             row.codec = codec;
             row.settings = settings;
             if (*contender.settings) row.settings += std::string("; ") + contender.settings;
-            run(contender, input, row);
+            run(contender, input, request.keep_file, row);
             rows.push_back(std::move(row));
         }
     return rows;

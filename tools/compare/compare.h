@@ -14,6 +14,7 @@ struct Request {
     EncodeOptions options;
     bool attributes = false;          // give ravel attributes, companions and names too
     std::vector<std::string> codecs;  // names of known_codecs()
+    bool keep_file = false;           // ravel's row keeps what was packed
 };
 
 // One codec on one mesh. Empty numbers: the codec did not take part, `note` says why.
@@ -29,6 +30,7 @@ struct Row {
     std::string
         connectivity_kept;  // quads, tets, triangulated, lost; empty if it did not take part
     std::string note;
+    std::vector<std::byte> file;
 };
 
 std::vector<std::string> known_codecs();

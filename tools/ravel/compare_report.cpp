@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ravel/viewer_page.h"
+
 namespace ravel::tool {
 namespace {
 
@@ -55,6 +57,26 @@ Json json_rows(const std::vector<compare::Row>& rows) {
         result.push_back(std::move(fact));
     }
     return result;
+}
+
+Json viewer_data(const std::vector<compare::Row>& rows, const Json& facts,
+                 const std::string& summary) {
+    Json files = Json::array();
+    for (const compare::Row& row : rows) {
+        if (row.file.empty()) continue;
+        Json file;
+        file["name"] = row.mesh;
+        file["data"] = base64_of(row.file);
+        file["rows"] = Json::array();
+        for (const Json& fact : facts)
+            if (fact.at("mesh") == row.mesh) file["rows"].push_back(fact);
+        files.push_back(std::move(file));
+    }
+    Json data;
+    data["files"] = std::move(files);
+    data["rows"] = facts;
+    data["summary"] = summary;
+    return data;
 }
 
 std::string summary_of(const std::vector<compare::Row>& rows) {

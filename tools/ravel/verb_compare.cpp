@@ -15,6 +15,7 @@
 #include "ravel/progress.h"
 #include "ravel/talk.h"
 #include "ravel/verbs.h"
+#include "ravel/viewer_page.h"
 
 namespace ravel::tool {
 namespace {
@@ -72,11 +73,20 @@ std::vector<std::pair<std::string, std::string>> names_and_paths(std::vector<std
     return meshes;
 }
 
+// The viewer with the packed files in it; the bare table where the viewer was not built.
+std::string page_of(const std::vector<compare::Row>& rows, const Json& facts,
+                    const std::string& summary) {
+    auto page = viewer_page(viewer_data(rows, facts, summary));
+    if (page) return std::move(*page);
+    remark("--html: a table only, for " + page.error().detail);
+    return html_of(facts, "ravel and its peers", summary);
+}
+
 ExitCode print(const Options& options, const std::vector<compare::Row>& rows) {
     const Json facts = json_rows(rows);
     const std::string summary = summary_of(rows);
     if (!options.html.empty()) {
-        const std::string page = html_of(facts, "ravel and its peers", summary);
+        const std::string page = page_of(rows, facts, summary);
         const auto bytes = std::as_bytes(std::span(page));
         if (Status status = write_bytes_output(options.html, bytes, true); !status)
             return complain(options.html, status.error());
@@ -100,6 +110,7 @@ ExitCode run(const Options& options) {
     request.options = options_of(options.flags);
     request.attributes = options.attributes;
     request.codecs = *codecs;
+    request.keep_file = !options.html.empty();
     const std::string settings = words_for(request.options);
     std::vector<compare::Row> rows;
     ExitCode worst = ExitCode::done;
@@ -144,7 +155,9 @@ void add_compare(CLI::App& app, Action& action) {
     auto* markdown = verb->add_flag("--markdown", options->markdown, "A table in Markdown");
     json->excludes(csv)->excludes(markdown);
     csv->excludes(markdown);
-    verb->add_option("--html", options->html, "A page with the table as well")->type_name("FILE");
+    verb->add_option("--html", options->html,
+                     "A page as well: the viewer with the packed meshes and all numbers in it")
+        ->type_name("FILE");
     add_encode_flags(*verb, options->flags);
     verb->footer(
         "Every codec gets the same cells and positions; what it gives back is decoded and "
