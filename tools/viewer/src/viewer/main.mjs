@@ -74,7 +74,16 @@ function colour_by(id) {
     legend();
     show();
 }
-const legend = () => show_legend(state.field, state.values, $('links').checked && state.model.strip.linkSteps.length > 0);
+function legend() {
+    show_legend(state.field, state.values, $('links').checked && state.model.strip.linkSteps.length > 0);
+    make_room();
+}
+// A legend across most of the stage would lie over the mesh; one in the corner does not.
+function make_room() {
+    const { offsetWidth: width, offsetHeight: height } = $('legend');
+    stage.set_inset(width > 0.36 * $('stage').clientWidth ? height : 0);
+}
+new ResizeObserver(make_room).observe($('stage'));
 
 // -- Winding ------------------------------------------------------------------------------------
 
@@ -232,8 +241,8 @@ function use(model, file) {
     $('links').checked = model.strip.linkSteps.length > 0 && model.strip.linkSteps.length <= 400;
     wind(model.cellCount, false);
     stage.resize();
-    stage.frame(model.frame.half);
     colour_by('strip');
+    stage.frame(model.frame.half, model.draw.positions ?? model.draw.points);
     paint();
     tell(`${file.name}: ${number.format(model.cellCount)} ${kind}, ${number.format(model.pointCount)} points, ${number.format(model.info.fileBytes)} bytes`);
 }

@@ -2,6 +2,8 @@
 import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
+// A sample is enough to see how large a mesh looks.
+const MOST_FRAMED = 20_000;
 const FROM = new Vector3(0.62, 0.5, 0.85).normalize();
 
 export class Stage {
@@ -31,6 +33,8 @@ export class Stage {
         this.controls.zoomToCursor = true;
         this.controls.addEventListener('change', () => this.draw_soon());
         this.half = [1, 1, 1];
+        this.points = new Float32Array(0);
+        this.inset = 0;
         new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
         this.resize();
     }
@@ -41,7 +45,14 @@ export class Stage {
         this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
-        this.camera.updateProjectionMatrix();
+        this.set_inset(this.inset);
+    }
+
+    // Pixels at the bottom that something lies over: the middle moves up by half of them.
+    set_inset(inset) {
+        const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+        this.inset = inset;
+        this.camera.setViewOffset(width, height, 0, inset / 2, width, height);
         this.draw_soon();
     }
 
@@ -66,25 +77,29 @@ export class Stage {
         return this.renderer.domElement.height / (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360));
     }
 
-    // Puts a box of these half extents into view; flat ones are looked at from their broad side.
-    frame(half = this.half) {
+    // Puts a mesh into view, of which half the extents and some points are known; flat ones are looked at
+    // from their broad side.
+    frame(half = this.half, points = this.points) {
         this.half = half;
+        this.points = points;
         const [x, y, z] = half, thin = 0.05;
         const from = FROM.clone();
         if (z < thin * Math.max(x, y)) from.set(0.25, -0.3, 1);
         else if (y < thin * Math.max(x, z)) from.set(0.3, 1, 0.45);
         else if (x < thin * Math.max(y, z)) from.set(1, 0.3, 0.3);
         from.normalize();
-        // The corners of the box must lie within both angles of view.
-        const tall = Math.tan((this.camera.fov * Math.PI) / 360), wide = tall * this.camera.aspect;
-        const right = new Vector3(0, 1, 0).cross(from).normalize(), up = from.clone().cross(right);
+        // All points must lie within both angles of view.
+        const all = Math.tan((this.camera.fov * Math.PI) / 360), wide = all * this.camera.aspect;
+        const tall = all * (1 - this.inset / this.canvas.parentElement.clientHeight);
+        const right = new Vector3(0, 1, 0).cross(from).normalize(), up = from.clone().cross(right), point = new Vector3();
         let distance = 0.1;
-        for (let i = 0; i < 8; ++i) {
-            const corner = new Vector3(i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z);
-            const depth = corner.dot(from);
-            distance = Math.max(distance, depth + Math.abs(corner.dot(right)) / wide, depth + Math.abs(corner.dot(up)) / tall);
+        const step = 3 * Math.max(1, Math.floor(points.length / 3 / MOST_FRAMED));
+        for (let i = 0; i + 2 < points.length; i += step) {
+            point.fromArray(points, i);
+            const depth = point.dot(from);
+            distance = Math.max(distance, depth + Math.abs(point.dot(right)) / wide, depth + Math.abs(point.dot(up)) / tall);
         }
-        distance *= 1.06;
+        distance *= 1.1;
         this.controls.target.set(0, 0, 0);
         this.camera.position.copy(from).multiplyScalar(distance);
         const radius = Math.hypot(x, y, z) || 1;
