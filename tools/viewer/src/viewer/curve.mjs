@@ -31,6 +31,15 @@ function segments_of({ centres, gates }, from) {
     return { ends: ends.subarray(0, at), begin };
 }
 
+// Half the way from cell to cell: the mean of some segments.
+function typical_length(ends) {
+    const step = 6 * Math.max(1, Math.floor(ends.length / 6 / 4000));
+    let sum = 0, count = 0;
+    for (let e = 0; e + 5 < ends.length; e += step, ++count)
+        sum += Math.hypot(ends[e] - ends[e + 3], ends[e + 1] - ends[e + 4], ends[e + 2] - ends[e + 5]);
+    return count ? sum / count : 1;
+}
+
 // A colour per end, by how far along the strip it is.
 function colours_of(begin) {
     const bytes = ramp_bytes(), steps = begin.length - 1, colour = new Color();
@@ -82,6 +91,7 @@ export class Curve extends Group {
             this.line = new LineSegments(geometry, new LineBasicMaterial({ transparent: true, opacity: 0.7, vertexColors: rainbow }));
         }
         this.line.frustumCulled = false;
+        this.stride = typical_length(ends);
         this.linkSteps = strip.linkSteps;
         const marks = new Float32Array(3 * strip.linkSteps.length);
         strip.linkSteps.forEach((step, i) => marks.set(draw.gates.subarray(3 * step, 3 * step + 3), 3 * i));
@@ -116,6 +126,12 @@ export class Curve extends Group {
     // Cuts away what is on the far side of a plane.
     clip(planes) {
         this.line.material.clippingPlanes = this.links.material.clippingPlanes = planes;
+    }
+    // Thinner where cells are small, so that windings stay apart.
+    before_draw(stage) {
+        if (!this.wide) return;
+        const pixels = (this.stride * stage.pixels_per_unit()) / stage.renderer.getPixelRatio();
+        this.line.material.linewidth = Math.min(2.4, Math.max(0.8, 0.45 * pixels));
     }
     paint({ ink, accent, pixel }) {
         this.line.material.color.set(this.rainbow ? '#fff' : ink);

@@ -78,6 +78,7 @@ export class PolygonView extends Group {
     }
     // Edges fade where cells are hardly larger than a pixel.
     before_draw(stage) {
+        this.curve.before_draw(stage);
         const pixels = (this.edge_length * stage.pixels_per_unit()) / stage.renderer.getPixelRatio();
         this.edges.material.opacity = this.edge_strength * Math.min(1, Math.max(0.04, (pixels - 1.5) / 9));
     }

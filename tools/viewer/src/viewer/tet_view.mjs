@@ -192,7 +192,9 @@ export class TetView extends Group {
         this.rest.material.color.set(theme.rest);
         this.curve.paint(theme);
     }
-    before_draw() {}
+    before_draw(stage) {
+        this.curve.before_draw(stage);
+    }
     dispose() {
         for (const part of [this.surface, this.rest, this.cells ?? []].flat()) part.geometry.dispose(), part.material.dispose();
         this.curve.dispose();
