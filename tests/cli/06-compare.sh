@@ -13,5 +13,5 @@ for row in rows:
 P
 ravel -q compare torus.obj --codecs ravel,zstd --csv | cut -d, -f1-5
 ravel -q compare torus.obj --codecs ravel --markdown | head -2 | tail -1
-ravel -q compare torus.obj --codecs ravel --html page.html >text; grep -c 'bits_per_cell\|bits per cell' page.html >count; [ "$(cat count)" -gt 0 ] && echo page
+ravel -q compare torus.obj --codecs ravel --html page.html >text; grep -q '"codec":"ravel"\|<td class="word">ravel</td>' page.html && echo page
 ravel -q compare torus.obj --codecs gzip; echo "unknown codec $?"
