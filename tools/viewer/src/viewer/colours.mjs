@@ -33,7 +33,7 @@ export function palette_bytes() {
     const bytes = new Uint8Array(4 * PALETTE_SIZE);
     for (let i = 0; i < PALETTE_SIZE; ++i) {
         // Neighbours in number are far apart in hue, and alternate in lightness.
-        const hue = (((i * 3) % PALETTE_SIZE) * 2 * Math.PI) / PALETTE_SIZE + 0.6, chroma = 0.115;
+        const hue = (((i * 3) % PALETTE_SIZE) * 2 * Math.PI) / PALETTE_SIZE + 4.5, chroma = 0.115;
         bytes.set([...linear_of_oklab([i % 2 ? 0.62 : 0.76, chroma * Math.cos(hue), chroma * Math.sin(hue)]).map(byte_of), 255], 4 * i);
     }
     return bytes;

@@ -10,6 +10,7 @@ export const KEYS = [
     { keys: ['u'], shown: ['U'], words: 'The unwound part', id: 'rest' },
     { keys: ['e'], shown: ['E'], words: 'Edges', id: 'edges' },
     { keys: ['s'], shown: ['S'], words: 'Flat or smooth' },
+    { keys: ['t'], shown: ['T'], words: 'Y or Z upwards' },
     { keys: ['n'], shown: ['N'], words: 'Colour by the next thing' },
     { keys: ['k'], shown: ['K'], words: 'Cut tets', id: 'clip', tets: true },
     { keys: ['x', 'y', 'z'], shown: ['X', 'Y', 'Z'], words: 'Direction of the cut', tets: true },

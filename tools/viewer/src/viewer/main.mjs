@@ -252,6 +252,7 @@ function use(model, file) {
 for (const id of ['edges', 'curve', 'rest', 'clip']) $(id).addEventListener('change', show);
 $('links').addEventListener('change', () => { legend(); show(); });
 for (const radio of document.querySelectorAll('input[name=shading]')) radio.addEventListener('change', show);
+for (const radio of document.querySelectorAll('input[name=up]')) radio.addEventListener('change', () => { stage.set_up(Number(radio.value)); stage.frame(); });
 for (const radio of document.querySelectorAll('input[name=axis]')) radio.addEventListener('change', () => { $('clip').checked = true; show(); });
 $('clip-at').addEventListener('input', () => { $('clip').checked = true; show_soon(); });
 $('shrink').addEventListener('input', show_soon);
@@ -279,6 +280,7 @@ const axis = (event) => { document.querySelectorAll('input[name=axis]')['xyz'.in
 const actions = {
     ',': step(-1), '.': step(1), 0: () => { stop(); wind(state.steps === state.model.cellCount ? 0 : state.model.cellCount); },
     s: () => document.querySelector('input[name=shading]:not(:checked)').click(),
+    t: () => document.querySelector('input[name=up]:not(:checked)').click(),
     n: () => { const next = (state.fields.indexOf(state.field) + 1) % state.fields.length; colour_by(state.fields[next].id); tell(`coloured by ${state.field.label}`); },
     '[': cut(-20), ']': cut(20), x: axis, y: axis, z: axis,
     b: () => { $('shrink').value = Number($('shrink').value) >= 60 ? 0 : Number($('shrink').value) + 20; show(); },

@@ -24,14 +24,9 @@ export class Stage {
         this.key.target.position.z = this.fill.target.position.z = -1;
         this.scene.add(this.camera, this.sky);
 
-        this.controls = new OrbitControls(this.camera, canvas);
         this.still = matchMedia('(prefers-reduced-motion: reduce)');
-        const calm = () => { this.controls.enableDamping = !this.still.matches; };
-        this.still.addEventListener('change', calm);
-        calm();
-        this.controls.dampingFactor = 0.12;
-        this.controls.zoomToCursor = true;
-        this.controls.addEventListener('change', () => this.draw_soon());
+        this.still.addEventListener('change', () => { this.controls.enableDamping = !this.still.matches; });
+        this.set_up(1);
         this.half = [1, 1, 1];
         this.points = new Float32Array(0);
         this.inset = 0;
@@ -54,6 +49,17 @@ export class Stage {
         this.inset = inset;
         this.camera.setViewOffset(width, height, 0, inset / 2, width, height);
         this.draw_soon();
+    }
+
+    // Which axis points up: 1 for Y, 2 for Z. Controls take it once, when they are made.
+    set_up(axis) {
+        this.controls?.dispose();
+        this.camera.up.set(0, axis === 1 ? 1 : 0, axis === 1 ? 0 : 1);
+        this.controls = new OrbitControls(this.camera, this.canvas);
+        this.controls.enableDamping = !this.still.matches;
+        this.controls.dampingFactor = 0.12;
+        this.controls.zoomToCursor = true;
+        this.controls.addEventListener('change', () => this.draw_soon());
     }
 
     set_background(css) {
@@ -82,16 +88,17 @@ export class Stage {
     frame(half = this.half, points = this.points) {
         this.half = half;
         this.points = points;
-        const [x, y, z] = half, thin = 0.05;
+        const z_up = this.camera.up.z > 0, [x, y, z] = z_up ? [half[0], half[2], half[1]] : half, thin = 0.05;
         const from = FROM.clone();
         if (z < thin * Math.max(x, y)) from.set(0.25, -0.3, 1);
         else if (y < thin * Math.max(x, z)) from.set(0.3, 1, 0.45);
         else if (x < thin * Math.max(y, z)) from.set(1, 0.3, 0.3);
+        if (z_up) from.set(from.x, -from.z, from.y);
         from.normalize();
         // All points must lie within both angles of view.
         const all = Math.tan((this.camera.fov * Math.PI) / 360), wide = all * this.camera.aspect;
         const tall = all * (1 - this.inset / this.canvas.parentElement.clientHeight);
-        const right = new Vector3(0, 1, 0).cross(from).normalize(), up = from.clone().cross(right), point = new Vector3();
+        const right = this.camera.up.clone().cross(from).normalize(), up = from.clone().cross(right), point = new Vector3();
         let distance = 0.1;
         const step = 3 * Math.max(1, Math.floor(points.length / 3 / MOST_FRAMED));
         for (let i = 0; i + 2 < points.length; i += step) {
@@ -114,10 +121,10 @@ export class Stage {
 
     orbit(around, over) {
         const offset = this.camera.position.clone().sub(this.controls.target);
-        offset.applyAxisAngle(new Vector3(0, 1, 0), around);
-        const side = new Vector3(0, 1, 0).cross(offset).normalize();
+        offset.applyAxisAngle(this.camera.up, around);
+        const side = this.camera.up.clone().cross(offset).normalize();
         const tilted = offset.clone().applyAxisAngle(side, over);
-        if (Math.abs(tilted.clone().normalize().y) < 0.995) offset.copy(tilted);
+        if (Math.abs(tilted.clone().normalize().dot(this.camera.up)) < 0.995) offset.copy(tilted);
         this.camera.position.copy(this.controls.target).add(offset);
         this.controls.update();
         this.draw_soon();
