@@ -49,7 +49,7 @@ class Summary(Structure):
 
 
 class DecodeOptions(Structure):
-    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("memory_limit", c_uint64)]
+    _fields_ = [("struct_size", c_uint32), ("strip", c_uint32), ("memory_limit", c_uint64)]
 
 
 class EncodeOptions(Structure):

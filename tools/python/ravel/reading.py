@@ -54,6 +54,7 @@ def loads(data, *, strip=False, memory_limit=None):
     data = bytes(data)
     options = lib.DecodeOptions()
     lib.library().ravel_decode_options_init(byref(options))
+    options.strip = strip
     if memory_limit is not None:
         options.memory_limit = memory_limit
     handle = c_void_p()

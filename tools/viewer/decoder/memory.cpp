@@ -93,13 +93,6 @@ void free(void* memory) {
     small_blocks[block->size / kUnit] = block;
 }
 
-// zstd asks for zeros; nobody asks for the others, which the C library would bring its heap for.
-void* calloc(std::size_t count, std::size_t size) {
-    if (size != 0 && count > SIZE_MAX / size) return nullptr;
-    void* memory = malloc(count * size);
-    return memory == nullptr ? nullptr : __builtin_memset(memory, 0, count * size);
-}
-
 // One instruction each with bulk memory.
 void* memcpy(void* to, const void* from, std::size_t size) {
     return __builtin_memcpy(to, from, size);

@@ -31,7 +31,3 @@ string to_string(int number) {
 
 }  // namespace __2
 }  // namespace std
-
-extern "C" const char* ERR_getErrorString(int) {
-    return "zstd can't unpack it";
-}
