@@ -33,10 +33,10 @@ constexpr Id kTetLookAhead = 2;
 
 constexpr GraphId kVisitsPerNode = 8;
 
-// Near-maximum, by short walks, by long ones from all ends at once, and one after the other
-// where few ends are left: all searches together visit few states per node.
+// Near-maximum, by walks from all ends at once, and one after the other where few ends are left:
+// all searches together visit few states per node.
 EdgeSet raise(const Graph& graph, EdgeSet set) {
-    set = join_ends(graph, augment(graph, std::move(set)));
+    set = join_ends(graph, std::move(set));
     const std::vector<std::uint8_t> degree = degrees_in(graph, set);
     const auto ends = static_cast<GraphId>(
         std::count_if(degree.begin(), degree.end(), [](std::uint8_t d) { return d < 2; }));
