@@ -3,14 +3,9 @@
 
 #include <cstdint>
 
-#include "graph/graph.h"
+#include "graph/joiner.h"
 
 namespace ravel {
-
-struct RingMerge {
-    EdgeSet set;
-    std::uint64_t merges = 0;
-};
 
 struct RingLimits {
     int edges_in = 6;  // edges of the set on a ring, 2 .. kMaxRingEdges; less than 2 merges nothing
@@ -19,9 +14,9 @@ struct RingLimits {
 };
 inline constexpr int kMaxRingEdges = 6;
 
-// A ring of edges by turns in and out of the set is toggled where all strips it meets become one.
-// Unlike a fan it may meet a strip several times. Degrees stay as they are. Linear, with a large
-// constant where many small strips can't be merged.
-RingMerge merge_rings(const Graph& graph, EdgeSet set, const RingLimits& limits = {});
+// A ring of edges by turns in and out of the set is toggled where all strips it meets become one;
+// it may meet a strip several times. Degrees stay as they are. Gives the number of strips saved.
+// Linear, with a large constant where many small strips can't be merged.
+std::uint64_t merge_rings(StripJoiner& joiner, const RingLimits& limits = {});
 
 }  // namespace ravel

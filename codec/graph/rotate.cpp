@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "graph/cycles.h"
-#include "graph/rope.h"
+#include "graph/ropes.h"
 
 namespace ravel {
 namespace {
@@ -28,15 +28,13 @@ class Merger {
     Merger(const Graph& graph, EdgeSet& set, const RotationLimits& limits)
         : graph_(graph),
           set_(set),
-          gap_(graph.node_count()),
           depth_(limits.depth),
           strips_(list_strips(graph, set)),
           strip_of_(strips_.of),
-          ropes_(strips_.count()),
-          place_(std::size_t{graph.node_count()} + 1, 0),
+          ropes_(strips_, graph.parts.count),
           distance_(graph.node_count(), kFar),
           steps_left_(limits.steps_per_node * graph.node_count() + kSpareSteps) {
-        strip_of_.push_back(kNoGraphId);
+        strip_of_.resize(std::size_t{graph.node_count()} + graph.parts.count, kNoGraphId);
     }
 
     std::uint64_t run() {
@@ -64,11 +62,7 @@ class Merger {
 
     // `strips` with the smallest first.
     void merge_part(std::vector<GraphId> strips) {
-        for (const GraphId s : strips) {
-            ropes_[s] = Rope({strips_.node.data() + strips_.first[s], strips_.size(s)});
-            number(s);
-        }
-        strip_of_[gap_] = kNoGraphId;
+        gap_ = graph_.node_count() + part_of(strips[0]);
         // A path is the one that takes in the others: the gap is in it.
         auto main = std::find_if(strips.begin(), strips.end(),
                                  [&](GraphId s) { return strips_.shape[s] == StripShape::path; });
@@ -81,30 +75,20 @@ class Merger {
             take_in(strips);
             close_gap();
         }
-        for (const GraphId s : strips) ropes_[s] = Rope();
-        ropes_[main_] = Rope();
-    }
-
-    void number(GraphId strip) {
-        const std::vector<GraphId>& nodes = ropes_[strip].nodes();
-        for (GraphId i = 0; i < nodes.size(); ++i) place_[nodes[i]] = i;
     }
 
     void add_gap() {
-        Rope& rope = ropes_[main_];
-        beside_gap_ = {node_at_rank(0), node_at_rank(rope.size() - 1)};
-        const Rope gap(std::span<const GraphId>(&gap_, 1));
-        place_[gap_] = 0;
-        rope.join(
-            std::array<Rope::Stretch, 2>{{{&rope, 0, rope.size(), false}, {&gap, 0, 1, false}}},
-            place_);
+        const GraphId size = ropes_.size(main_);
+        beside_gap_ = {ropes_.node_at(main_, 0), ropes_.node_at(main_, size - 1)};
+        const GraphId gap = strips_.count() + part_of(main_);
+        ropes_.join(main_,
+                    std::array<Ropes::Stretch, 2>{{{main_, 0, size, false}, {gap, 0, 1, false}}});
         strip_of_[gap_] = main_;
     }
 
-    GraphId node_at_rank(GraphId wanted) const {
-        for (const GraphId node : ropes_[main_].nodes())
-            if (ropes_[main_].rank(place_[node]) == wanted) return node;
-        return kNoGraphId;
+    // Of a strip that is as it was at first.
+    std::span<const GraphId> nodes_of(GraphId strip) const {
+        return {strips_.node.data() + strips_.first[strip], strips_.size(strip)};
     }
 
     // Takes strips into the main one, pass after pass; leaves those that resist.
@@ -131,8 +115,7 @@ class Merger {
     // are to close again and do not.
     bool try_strip(GraphId strip, bool closes) {
         std::size_t trials = 0;
-        const std::vector<GraphId>& nodes = ropes_[strip].nodes();
-        for (const GraphId s : nodes) {
+        for (const GraphId s : nodes_of(strip)) {
             for (const Arc& join : graph_.at(s)) {
                 if (strip_of_[join.to] != main_) continue;
                 for (const Arc& a : openings(join.to)) {
@@ -152,8 +135,7 @@ class Merger {
         std::vector<Arc> found;
         for (const Arc& arc : graph_.at(node))
             if (in_set(arc)) found.push_back(arc);
-        if (found.empty() && ropes_[strip_of_[node]].size() == 1)
-            found.push_back({node, kNoGraphId});
+        if (found.empty() && ropes_.size(strip_of_[node]) == 1) found.push_back({node, kNoGraphId});
         return found;
     }
 
@@ -197,12 +179,11 @@ class Merger {
 
     // A strip's order from `first` to its neighbour `last`, the long way round.
     void append(GraphId strip, GraphId first, GraphId last) {
-        const Rope& rope = ropes_[strip];
-        const GraphId r = rope.rank(place_[first]), size = rope.size();
+        const GraphId r = ropes_.rank(first), size = ropes_.size(strip);
         const auto add = [&](GraphId begin, GraphId end, bool reversed) {
-            if (begin < end) order_.push_back({&rope, begin, end, reversed});
+            if (begin < end) order_.push_back({strip, begin, end, reversed});
         };
-        if ((rope.rank(place_[last]) + 1) % size == r) {
+        if ((ropes_.rank(last) + 1) % size == r) {
             add(r, size, false);
             add(0, r, false);
         } else {
@@ -215,11 +196,10 @@ class Merger {
     GraphId position(GraphId node) const {
         const GraphId strip = strip_of_[node];
         if (strip != main_ && strip != other_) return kFar;
-        const Rope* rope = &ropes_[strip];
-        const GraphId rank = rope->rank(place_[node]);
+        const GraphId rank = ropes_.rank(node);
         GraphId before = 0;
-        for (const Rope::Stretch& s : order_) {
-            if (s.rope == rope && s.begin <= rank && rank < s.end)
+        for (const Ropes::Stretch& s : order_) {
+            if (s.rope == strip && s.begin <= rank && rank < s.end)
                 return before + (s.reversed ? s.end - 1 - rank : rank - s.begin);
             before += s.end - s.begin;
         }
@@ -230,10 +210,10 @@ class Merger {
     void turn(GraphId cut) {
         GraphId before = 0;
         for (std::size_t i = 0; i < order_.size(); ++i) {
-            Rope::Stretch& s = order_[i];
+            Ropes::Stretch& s = order_[i];
             const GraphId length = s.end - s.begin;
             if (before + length > cut && before < cut) {
-                Rope::Stretch rest = s;
+                Ropes::Stretch rest = s;
                 const GraphId kept = cut - before;
                 if (s.reversed) {
                     rest.end = s.end - kept;
@@ -330,7 +310,7 @@ class Merger {
     }
 
     bool rotate(GraphId cut, GraphId tail, int depth) {
-        const std::vector<Rope::Stretch> order = order_;
+        const std::vector<Ropes::Stretch> order = order_;
         turn(cut);
         tail_ = tail;
         if (close(depth - 1)) return true;
@@ -339,9 +319,8 @@ class Merger {
     }
 
     void commit(GraphId strip) {
-        ropes_[main_].join(order_, place_);
-        for (const GraphId node : ropes_[strip].nodes()) strip_of_[node] = main_;
-        ropes_[strip] = Rope();
+        ropes_.join(main_, order_);
+        for (const GraphId node : nodes_of(strip)) strip_of_[node] = main_;
         ++merges_;
     }
 
@@ -352,10 +331,9 @@ class Merger {
         toggled_.clear();
         other_ = main_;
         strip_of_[gap_] = kNoGraphId;
-        const Rope& rope = ropes_[main_];
-        const GraphId r = rope.rank(place_[gap_]), size = rope.size();
-        if (r + 1 < size) order_.push_back({&rope, r + 1, size, false});
-        if (r > 0) order_.push_back({&rope, 0, r, false});
+        const GraphId r = ropes_.rank(gap_), size = ropes_.size(main_);
+        if (r + 1 < size) order_.push_back({main_, r + 1, size, false});
+        if (r > 0) order_.push_back({main_, 0, r, false});
         const bool forward = position(ends[0]) == 0;
         head_ = ends[forward ? 0 : 1];
         tail_ = ends[forward ? 1 : 0];
@@ -365,21 +343,19 @@ class Merger {
 
     const Graph& graph_;
     EdgeSet& set_;
-    const GraphId gap_;
     const int depth_;
     const StripList strips_;
     std::vector<GraphId> strip_of_;  // node -> strip that holds it now
-    std::vector<Rope> ropes_;
-    std::vector<GraphId> place_;  // node -> place in its rope
+    Ropes ropes_;
     std::vector<GraphId> distance_, near_;
     std::uint64_t steps_left_;
     std::uint64_t merges_ = 0;
-    GraphId main_ = 0;
+    GraphId main_ = 0, gap_ = 0;
     std::array<GraphId, 2> beside_gap_{kNoGraphId, kNoGraphId};
 
     // The trial at hand.
     GraphId other_ = 0, head_ = 0, tail_ = 0;
-    std::vector<Rope::Stretch> order_;
+    std::vector<Ropes::Stretch> order_;
     std::vector<GraphId> toggled_;
     int rotations_left_ = 0;
 };

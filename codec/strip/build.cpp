@@ -93,19 +93,18 @@ Strip build_strip(const Complex& complex, FactorMethod method, const StripOption
         set = cut_paths(graph, extend_paths(graph, close_paths(graph, std::move(set))));
         strips = list_strips(graph, set);
     }
-    Merged merged = merge_fans(complex, dual, std::move(set), std::move(strips));
-    RingMerge whole{std::move(merged.set), 0};
-    if (merged.strips > graph.parts.count) {
-        RingLimits rings;
-        rings.edges_in = options.ring_edges;
-        whole = merge_rings(graph, std::move(whole.set), rings);
-        if (rings.edges_in > 0) whole.set = merge_by_rotations(graph, std::move(whole.set)).set;
-    }
-    Strip strip = link_strips(complex, dual, whole.set);
+    StripJoiner joiner(graph, set, std::move(strips));
+    std::uint64_t merges = merge_fans(complex, dual, joiner);
+    RingLimits rings;
+    rings.edges_in = options.ring_edges;
+    if (joiner.strips_left() > graph.parts.count) merges += merge_rings(joiner, rings);
+    if (joiner.strips_left() > graph.parts.count && rings.edges_in > 0)
+        set = merge_by_rotations(graph, std::move(set)).set;
+    Strip strip = link_strips(complex, dual, set);
     strip.counts.cycles = factor.cycles;
     strip.counts.paths = factor.paths;
     strip.counts.singletons = factor.singletons;
-    strip.counts.fan_merges = merged.fan_merges + whole.merges;
+    strip.counts.fan_merges = merges;
     return strip;
 }
 

@@ -8,10 +8,6 @@
 #include "strip/merge.h"
 
 #include <array>
-#include <utility>
-
-#include "graph/cycles.h"
-#include "graph/union_find.h"
 
 namespace ravel {
 namespace {
@@ -67,156 +63,110 @@ bool edge_fan(const Complex& complex, Id facet, Id away, Fan& fan) {
 
 class Merger {
   public:
-    Merger(const Complex& complex, const Dual& dual, EdgeSet& set, StripList strips)
-        : complex_(complex),
-          dual_(dual),
-          set_(set),
-          strips_(std::move(strips)),
-          parts_(dual.graph.parts),
-          sets_(strips_.count()),
-          part_size_(parts_.count, 0),
-          open_(strips_.count(), 0) {
-        for (GraphId s = 0; s < strips_.count(); ++s) {
-            sets_.weigh(s, strips_.size(s));
-            open_[s] = strips_.shape[s] == StripShape::path;
-            any_open_ = any_open_ || open_[s] != 0;
-        }
-        for (const GraphId part : parts_.of) ++part_size_[part];
+    Merger(const Complex& complex, const Dual& dual, StripJoiner& joiner)
+        : complex_(complex), dual_(dual), joiner_(joiner), strips_(joiner.strips()) {
+        for (const StripShape shape : strips_.shape)
+            any_open_ = any_open_ || shape == StripShape::path;
     }
 
     std::uint64_t run() {
-        std::uint64_t total = 0;
+        const std::uint64_t before = joiner_.strips_left();
         for (int pass = 0; pass < kMaxPasses; ++pass) {
-            std::uint64_t merges = 0;
+            const std::uint64_t left = joiner_.strips_left();
             for (GraphId s = 0; s < strips_.count(); ++s) {
                 const GraphId end = strips_.first[s + 1];
-                for (GraphId i = strips_.first[s]; i < end && !in_majority(strips_.node[i]); ++i)
-                    merges += merge_at(strips_.node[i]);
+                for (GraphId i = strips_.first[s]; i < end && !joiner_.in_majority(s); ++i)
+                    merge_at(strips_.node[i]);
             }
-            total += merges;
-            if (any_open_) total += absorb_at_path_ends();
-            if (merges == 0) break;
+            const bool merged = joiner_.strips_left() != left;
+            if (any_open_) absorb_at_path_ends();
+            if (!merged) break;
         }
-        return total;
-    }
-
-    std::uint64_t strips_left() {
-        std::uint64_t count = 0;
-        for (GraphId s = 0; s < strips_.count(); ++s) count += sets_.find(s) == s;
-        return count;
+        return before - joiner_.strips_left();
     }
 
   private:
-    GraphId strip_of(GraphId node) { return sets_.find(strips_.of[node]); }
-    GraphId strip_at(Id facet) { return strip_of(dual_.node_of[complex_.cell_of[facet]]); }
-
-    bool in_majority(GraphId node) {
-        return 2 * std::uint64_t{sets_.size(strips_.of[node])} > part_size_[parts_.of[node]];
-    }
-
-    std::uint64_t merge_at(GraphId node) {
+    void merge_at(GraphId node) {
         const Id cell = dual_.cell_of[node];
-        std::uint64_t merges = 0;
         for (Id f = complex_.first[cell]; f < complex_.first[cell + 1]; ++f) {
+            if (!is_strip(f)) continue;
             if (complex_.kind == CellKind::polygon) {
-                if (!is_strip(f)) continue;
-                const Id g = complex_.twin[f];
-                if (vertex_fan(complex_, f, fan_) && toggle()) {
-                    ++merges;
-                } else if (vertex_fan(complex_, g, fan_) && toggle()) {
-                    ++merges;
-                }
+                if (vertex_fan(complex_, f, fan_) && toggle()) continue;
+                if (vertex_fan(complex_, complex_.twin[f], fan_)) toggle();
                 continue;
             }
             for (Id i = 1; i < 4 && is_strip(f); ++i) {
                 const Id away = (f & ~Id{3}) | ((f + i) & 3);
-                if (edge_fan(complex_, f, away, fan_) && toggle()) ++merges;
+                if (edge_fan(complex_, f, away, fan_)) toggle();
             }
         }
-        return merges;
     }
 
+    GraphId node_at(Id facet) const { return dual_.node_of[complex_.cell_of[facet]]; }
     bool is_strip(Id facet) const {
-        return dual_.edge_of[facet] != kNone && set_[dual_.edge_of[facet]] != 0;
+        return dual_.edge_of[facet] != kNone && joiner_.in_set(dual_.edge_of[facet]);
     }
 
-    // Toggles the fan where that merges its strips.
+    // Toggles the fan where it is a ring that meets each strip once.
     bool toggle() {
-        if (fan_.size() < 4 || fan_.size() % 2 != 0) return false;
-        for (std::size_t i = 0; i < fan_.size(); ++i)
-            if (is_strip(fan_[i]) == is_strip(fan_[(i + 1) % fan_.size()])) return false;
+        const std::size_t q = fan_.size();
+        if (q < 4 || q % 2 != 0) return false;
+        for (std::size_t i = 0; i < q; ++i)
+            if (is_strip(fan_[i]) == is_strip(fan_[(i + 1) % q])) return false;
         found_.clear();
-        int paths = 0;
-        for (const Id f : fan_) {
-            if (!is_strip(f)) continue;
-            const GraphId strip = strip_at(f);
+        for (std::size_t i = is_strip(fan_[0]) ? 0 : 1; i < q; i += 2) {
+            const GraphId strip = joiner_.strip_of(node_at(fan_[i]));
             for (const GraphId other : found_)
                 if (other == strip) return false;
             found_.push_back(strip);
-            paths += open_[strip];
         }
-        if (paths > 1) return false;
-        for (const Id f : fan_) set_[dual_.edge_of[f]] ^= 1;
-        for (const GraphId strip : found_) sets_.unite(found_[0], strip);
-        open_[sets_.find(found_[0])] = paths == 1;
-        return true;
+        ring_.clear();
+        for (std::size_t i = is_strip(fan_[0]) ? 0 : 1; i < q; i += 2)
+            ring_.push_back({dual_.edge_of[fan_[i]], dual_.edge_of[fan_[(i + 1) % q]],
+                             node_at(fan_[i]), node_at(complex_.twin[fan_[i]])});
+        return joiner_.toggle(ring_);
     }
 
     // A path end x next to a cycle through y: drop an edge y-z of the cycle, add x-y, go on from z.
-    std::uint64_t absorb_at_path_ends() {
-        std::uint64_t count = 0;
-        const std::vector<std::uint8_t> degree = degrees_in(dual_.graph, set_);
-        for (GraphId start = 0; start < dual_.graph.node_count(); ++start) {
-            if (degree[start] != 1) continue;
-            for (GraphId end = start; end != kNoGraphId;) {
-                end = absorb(end);
-                if (end != kNoGraphId) ++count;
-            }
+    void absorb_at_path_ends() {
+        for (const GraphId end : path_ends())
+            for (GraphId at = end; at != kNoGraphId;) at = absorb(at);
+    }
+
+    std::vector<GraphId> path_ends() const {
+        std::vector<GraphId> ends;
+        for (GraphId n = 0; n < dual_.graph.node_count(); ++n) {
+            int degree = 0;
+            for (const Arc& arc : dual_.graph.at(n)) degree += joiner_.in_set(arc.edge);
+            if (degree == 1) ends.push_back(n);
         }
-        return count;
+        return ends;
     }
 
     GraphId absorb(GraphId end) {
-        const GraphId own = strip_of(end);
-        for (const Arc& out : dual_.graph.at(end)) {
-            const GraphId other = strip_of(out.to);
-            if (other == own || open_[other] != 0) continue;
-            GraphId next = out.to;  // a singleton becomes the end itself
-            for (const Arc& arc : dual_.graph.at(out.to)) {
-                if (set_[arc.edge] == 0) continue;
-                set_[arc.edge] = 0;
-                next = arc.to;
-                break;
-            }
-            set_[out.edge] = 1;
-            sets_.unite(own, other);
-            open_[sets_.find(own)] = 1;
-            return next;
+        const GraphId own = joiner_.strip_of(end);
+        for (const Arc& arc : dual_.graph.at(end)) {
+            const GraphId other = joiner_.strip_of(arc.to);
+            if (other != own && !joiner_.is_open(other))
+                return joiner_.absorb(end, arc.edge, arc.to);
         }
         return kNoGraphId;
     }
 
     const Complex& complex_;
     const Dual& dual_;
-    EdgeSet& set_;
-    const StripList strips_;
-    const Components& parts_;
-    UnionFind sets_;
-    std::vector<GraphId> part_size_;
-    std::vector<std::uint8_t> open_;  // set of strips -> 1 where it is a path
+    StripJoiner& joiner_;
+    const StripList& strips_;
     bool any_open_ = false;
     Fan fan_;
     std::vector<GraphId> found_;
+    std::vector<RingLink> ring_;
 };
 
 }  // namespace
 
-Merged merge_fans(const Complex& complex, const Dual& dual, EdgeSet set, StripList strips) {
-    Merged merged{std::move(set), 0, 0};
-    Merger merger(complex, dual, merged.set, std::move(strips));
-    merged.fan_merges = merger.run();
-    merged.strips = merger.strips_left();
-    return merged;
+std::uint64_t merge_fans(const Complex& complex, const Dual& dual, StripJoiner& joiner) {
+    return Merger(complex, dual, joiner).run();
 }
 
 }  // namespace ravel
