@@ -26,11 +26,13 @@ constexpr int kMaxPrice = 3;       // singletons a walk may make, about
 
 class Forest {
   public:
-    // Where singletons have ends, too, walks may start from them and paths be made.
-    Forest(const Graph& graph, EdgeSet& set, bool singletons)
+    // Walks start at nodes of fewer than `most` edges, but not fewer than `least`. Where those of
+    // no edge are among them, paths may be made.
+    Forest(const Graph& graph, EdgeSet& set, int least, int most)
         : graph_(graph),
           set_(set),
-          least_(singletons ? 0 : 1),
+          least_(static_cast<std::uint8_t>(least)),
+          full_(static_cast<std::uint8_t>(most)),
           in_(graph.edge_count()),
           touched_(graph.edge_count()),
           degree_(degrees_in(graph, set)),
@@ -112,7 +114,7 @@ class Forest {
         queue_.clear();
         for (GraphId n = 0; n < graph_.node_count(); ++n) {
             const GraphId part = parts_.of[n];
-            if (degree_[n] == 2 || degree_[n] < least_ || active_[part] == 0) continue;
+            if (degree_[n] == full_ || degree_[n] < least_ || active_[part] == 0) continue;
             if (most_ > 0 && ends_left_[part] <= 2) continue;
             root_.push_back(2 * n);
         }
@@ -167,7 +169,7 @@ class Forest {
                     // A hungry node gives away its other edge too.
                     dear_.push_back({item, 2 * arc.to, arc.edge});
                 }
-            } else if (!full || degree_[node] == 0) {
+            } else if (!full || degree_[node] + 2 <= full_) {
                 // A full singleton takes a second edge.
                 take({item, 2 * arc.to + 1, arc.edge});
             }
@@ -240,8 +242,8 @@ class Forest {
 
     const Graph& graph_;
     EdgeSet& set_;
-    const std::uint8_t least_;  // degree of a tree's root
-    Bits in_, touched_;         // edges in the set; those that this round has toggled
+    const std::uint8_t least_, full_;  // degrees
+    Bits in_, touched_;                // edges in the set; those that this round has toggled
     std::vector<std::uint8_t> degree_;
     const Components& parts_;
     std::vector<GraphId> ends_left_;
@@ -262,14 +264,14 @@ class Forest {
 
 }  // namespace
 
-EdgeSet join_ends(const Graph& graph, EdgeSet set) {
-    Forest(graph, set, true).run(0);
+EdgeSet join_ends(const Graph& graph, EdgeSet set, int most) {
+    Forest(graph, set, 0, most).run(0);
     return set;
 }
 
 // Free walks all over before any that cost singletons.
 EdgeSet close_paths(const Graph& graph, EdgeSet set) {
-    Forest forest(graph, set, false);
+    Forest forest(graph, set, 1, 2);
     forest.run(0);
     forest.run(kMaxPrice);
     return set;

@@ -5,9 +5,10 @@
 
 namespace ravel {
 
-// Adds edges by walks between path ends and singletons that `augment` did not find: they may be as
-// long as the graph is wide. No walk makes a singleton.
-EdgeSet join_ends(const Graph& graph, EdgeSet set);
+// Adds edges by walks between nodes of fewer than `most` edges, 1 in a matching, else 2: a walk may
+// be as long as the graph is wide. None makes a singleton. Near-maximum, for no blossoms are
+// shrunk.
+EdgeSet join_ends(const Graph& graph, EdgeSet set, int most = 2);
 
 // Turns paths into cycles and singletons, with few singletons, but leaves the last path of a
 // connected part where closing it would take one. Paths that no walk reaches stay (`cut_paths` ends

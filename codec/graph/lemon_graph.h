@@ -46,6 +46,22 @@ class LemonGraph {
         }
         GraphId count;
     };
+    // Each edge by the first of its arcs.
+    struct EdgeIt : Edge {
+        explicit EdgeIt(const LemonGraph& graph) : Edge(GraphId{0}), of(&graph) { find(); }
+        EdgeIt& operator++() {
+            ++place;
+            find();
+            return *this;
+        }
+        bool operator==(lemon::Invalid) const { return place == kNoGraphId; }
+        void find() {
+            const auto count = static_cast<GraphId>(of->opposite_.size());
+            while (place < count && of->opposite_[place] < place) ++place;
+            if (place >= count) place = kNoGraphId;
+        }
+        const LemonGraph* of;
+    };
     struct OutArcIt : Arc {
         OutArcIt(const LemonGraph& graph, const Node& node)
             : Arc(graph.graph_.first[node.id]), end(graph.graph_.first[node.id + 1]) {
@@ -75,7 +91,6 @@ class LemonGraph {
     // Named by LEMON's typedefs, used by none of what is used here.
     using ArcIt = OutArcIt;
     using InArcIt = OutArcIt;
-    using EdgeIt = OutArcIt;
     using IncEdgeIt = OutArcIt;
     template <class T>
     using ArcMap = NodeMap<T>;
@@ -96,6 +111,7 @@ class LemonGraph {
     }
 
     GraphId node_count() const { return graph_.node_count(); }
+    GraphId edge_at(GraphId place) const { return graph_.arcs[place].edge; }
     int nodeNum() const { return static_cast<int>(graph_.node_count()); }
     Node target(const Arc& arc) const { return Node(graph_.arcs[arc.place].to); }
     Node source(const Arc& arc) const { return Node(graph_.arcs[opposite_[arc.place]].to); }
