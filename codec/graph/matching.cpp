@@ -1,8 +1,8 @@
-// Edmonds's blossoms [Edmonds1965], by LEMON's MaxMatching, from a matching that alternating walks
-// from all unmatched nodes at once have raised: one tree of alternating walks per node that is
-// still unmatched, first edges first. A tree that finds no unmatched node stays; its nodes at odd
-// distance are in the barrier of Gallai and Edmonds.
-// Cost: O(m n alpha) at worst, near-linear on the graphs of meshes; about 70 bytes per node.
+// Edmonds's blossoms [Edmonds1965], by LEMON's MaxMatching. From a matching that alternating walks
+// from all unmatched nodes at once have raised, it grows one tree of alternating walks per node
+// that is still unmatched, first edges first. A tree that finds no unmatched node stays; its nodes
+// at odd distance are in the barrier of Gallai and Edmonds. Cost: O(m n alpha) at worst,
+// near-linear on the graphs of meshes; about 70 bytes per node.
 #include "graph/matching.h"
 
 #include <utility>
@@ -44,7 +44,10 @@ struct InSet {
 }  // namespace
 
 Matching max_matching(const Graph& graph) {
-    const EdgeSet start = near_maximum(graph);
+    return max_matching(graph, near_maximum(graph));
+}
+
+Matching max_matching(const Graph& graph, const EdgeSet& start) {
     const LemonGraph view(graph);
     lemon::MaxMatching<LemonGraph> solver(view);
     solver.matchingInit(InSet{view, start});

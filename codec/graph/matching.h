@@ -17,6 +17,9 @@ struct Matching {
 // Asks for fewer than 2^31 nodes. Near-linear on the graphs of meshes.
 Matching max_matching(const Graph& graph);
 
+// The same from a matching, quick where that is near-maximum.
+Matching max_matching(const Graph& graph, const EdgeSet& start);
+
 // Does the barrier prove that no matching leaves fewer nodes unmatched? Each odd component that is
 // left when the barrier's nodes are taken away has to match one of its nodes into the barrier, or
 // leaves one unmatched [Berge1958]. Linear.

@@ -8,13 +8,49 @@
 #include "graph/template_factor.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "graph/close.h"
 
 namespace ravel {
 namespace {
 
 GraphId dopes_of(GraphId degree) {
     return degree < 2 ? 0 : degree - 2;
+}
+
+// Edges as they come, as long as both ends have less than two, and walks between what is left.
+EdgeSet near_maximum(const Graph& graph) {
+    EdgeSet set(graph.edge_count(), 0);
+    std::vector<std::uint8_t> degree(graph.node_count(), 0);
+    for (GraphId e = 0; e < graph.edge_count(); ++e) {
+        const auto [a, b] = graph.ends[e];
+        if (degree[a] == 2 || degree[b] == 2) continue;
+        set[e] = 1;
+        ++degree[a];
+        ++degree[b];
+    }
+    return join_ends(graph, std::move(set));
+}
+
+// The 2-matching as a matching of the inflated graph.
+EdgeSet inflate(const Graph& graph, EdgeSet set) {
+    for (GraphId n = 0; n < graph.node_count(); ++n) {
+        const auto row = graph.at(n);
+        const GraphId dopes = dopes_of(graph.degree(n));
+        if (dopes == 0) continue;
+        // Copies a < b have no dope: those with an edge of the set first, then any.
+        std::array<GraphId, 2> out{};
+        std::size_t count = 0;
+        for (const bool taken : {true, false})
+            for (GraphId i = 0; i < row.size() && count < 2; ++i)
+                if ((set[row[i].edge] != 0) == taken) out[count++] = i;
+        const auto [a, b] = std::minmax(out[0], out[1]);
+        for (GraphId i = 0; i < dopes; ++i)
+            for (GraphId k = 0; k < 3; ++k) set.push_back(k == (i < a ? 0U : i + 1 < b ? 1U : 2U));
+    }
+    return set;
 }
 
 }  // namespace
@@ -67,8 +103,12 @@ TemplateFactor template_factor(const Graph& graph, const Matching& inflated) {
     return result;
 }
 
+Matching inflated_matching(const Graph& graph, const Graph& inflated) {
+    return max_matching(inflated, inflate(graph, near_maximum(graph)));
+}
+
 TemplateFactor template_factor(const Graph& graph) {
-    return template_factor(graph, max_matching(inflate(graph)));
+    return template_factor(graph, inflated_matching(graph, inflate(graph)));
 }
 
 }  // namespace ravel

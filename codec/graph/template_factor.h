@@ -19,7 +19,8 @@ struct TemplateFactor {
 // Near-linear on the graphs of meshes, with several times the nodes.
 TemplateFactor template_factor(const Graph& graph);
 
-// The same from a maximum matching of the inflated graph.
+// A maximum matching of the inflated graph, and the 2-matching of any such one.
+Matching inflated_matching(const Graph& graph, const Graph& inflated);
 TemplateFactor template_factor(const Graph& graph, const Matching& inflated);
 
 }  // namespace ravel

@@ -66,7 +66,7 @@ TEST_CASE("the strips are a 2-factor wherever the matching proves that there is 
         const Complex complex = complex_of(mesh);
         const Graph graph = make_dual(complex).graph;
         const Graph inflated = inflate(graph);
-        const Matching matching = max_matching(inflated);
+        const Matching matching = inflated_matching(graph, inflated);
         REQUIRE(proves_maximum(inflated, matching));
         const bool exists = template_factor(graph, matching).two_factor;
         const auto found = [&](FactorMethod method) {
