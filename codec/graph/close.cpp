@@ -169,7 +169,8 @@ class Forest {
                     // A hungry node gives away its other edge too.
                     dear_.push_back({item, 2 * arc.to, arc.edge});
                 }
-            } else if (!full || degree_[node] + 2 <= full_) {
+            } else if (!full ||
+                       (degree_[node] + 2 <= full_ && !is_root(item.state ^ 1, item.tree))) {
                 // A full singleton takes a second edge.
                 take({item, 2 * arc.to + 1, arc.edge});
             }
@@ -200,8 +201,8 @@ class Forest {
         return false;
     }
 
-    // Toggles the walks to both states, unless they share edges with each other or with one toggled
-    // before.
+    // Toggles the walks to both states, unless what they rest on has changed: they must share no
+    // edges with each other or with one toggled before.
     bool join(State a, State b) {
         GraphId& left = ends_left_[parts_.of[a / 2]];
         if (left <= 2 && price_ > 0) return false;
@@ -209,7 +210,9 @@ class Forest {
         for (State s : {a, b}) {
             for (const GraphId tree = visits_[s].tree; !is_root(s, tree); s = from(s)) {
                 const GraphId e = visits_[s].edge;
-                if (touched_[e]) {
+                // A singleton that takes two edges on the walk may have got one elsewhere.
+                const bool two = visits_[s].dear == 1 && s % 2 == 1;
+                if (touched_[e] || (two && degree_[from(s) / 2] + 2 > full_)) {
                     for (; toggled_.size() > before; toggled_.pop_back())
                         touched_.clear(toggled_.back());
                     return false;

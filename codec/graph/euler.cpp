@@ -1,89 +1,122 @@
 // Petersen's theorem made linear [Petersen1891]: colour the edges of an Euler tour [Hierholzer1873]
 // A B A B; a node the tour passes d/2 times gets d/2 edges of each colour. Nodes of degree above
-// four first keep four edges, evenly spread over their rows. Odd nodes are joined to one dummy
-// node, where the tours of their parts start, so that only the dummy meets a tour's odd seam. Parts
-// without odd nodes start at a node of degree two if there is one: with an odd number of edges its
-// two get the same colour, which does no harm; without one the number of edges is even.
+// four first keep four edges, evenly spread over their rows. Odd nodes are joined in pairs by dummy
+// edges, those next to each other in number, which are near each other along a walk: where the
+// dummy takes the colour that counts, both lack an edge, and are near. A part with an odd number of
+// edges has a seam where its tour starts; that is at a node where it does no harm, if there is one:
+// an odd one, or one of degree two.
 // Cost: linear in nodes and edges.
 #include "graph/euler.h"
+
+#include "graph/bits.h"
 
 namespace ravel {
 namespace {
 
 // Both ends must want an edge to keep it.
 std::vector<std::uint8_t> thin(const Graph& graph) {
-    std::vector<std::uint8_t> wanted(graph.edge_count(), 0);
+    std::vector<std::uint8_t> wanted(graph.edge_count(), 2);
     for (GraphId n = 0; n < graph.node_count(); ++n) {
         const auto row = graph.at(n);
-        if (row.size() <= 4) {
-            for (const Arc& arc : row) ++wanted[arc.edge];
-        } else {
-            for (std::size_t i = 0; i < 4; ++i) ++wanted[row[i * row.size() / 4].edge];
-        }
+        if (row.size() <= 4) continue;
+        for (const Arc& arc : row) --wanted[arc.edge];
+        for (std::size_t i = 0; i < 4; ++i) ++wanted[row[i * row.size() / 4].edge];
     }
     for (std::uint8_t& w : wanted) w = w == 2;
     return wanted;
 }
 
-struct Tours {
-    const Graph& graph;
-    std::vector<GraphId> next;       // node -> first arc not yet looked at
-    std::vector<std::uint8_t> used;  // edge
-    std::vector<Arc> stack;          // node and the edge it was reached by
-
-    // Calls visit(edge) along the tour that starts and ends at `start`, last edge first.
-    template <class Visit>
-    void run(GraphId start, Visit visit) {
-        stack.assign(1, {start, kNoGraphId});
-        while (!stack.empty()) {
-            const Arc top = stack.back();
-            GraphId& i = next[top.to];
-            while (i < graph.first[top.to + 1] && used[graph.arcs[i].edge] != 0) ++i;
-            if (i < graph.first[top.to + 1]) {
-                used[graph.arcs[i].edge] = 1;
-                stack.push_back(graph.arcs[i]);
+class Tours {
+  public:
+    Tours(const Graph& graph, EdgeSet& set)
+        : graph_(graph),
+          set_(set),
+          degree_(graph.node_count(), 0),
+          nodes_(graph.node_count()),
+          used_(graph.edge_count()) {
+        const std::vector<std::uint8_t> kept = thin(graph);
+        for (GraphId e = 0; e < graph.edge_count(); ++e)
+            if (kept[e] == 0) used_.set(e);
+        std::vector<GraphId> odd(graph.parts.count, kNoGraphId);  // part -> odd node without mate
+        for (GraphId n = 0; n < graph.node_count(); ++n) {
+            nodes_[n] = {graph.first[n], graph.first[n + 1], kNoGraphId};
+            for (const Arc& arc : graph.at(n)) degree_[n] += kept[arc.edge];
+            if (degree_[n] % 2 == 0) continue;
+            GraphId& other = odd[graph.parts.of[n]];
+            if (other == kNoGraphId) {
+                other = n;
             } else {
-                stack.pop_back();
-                if (top.edge != kNoGraphId) visit(top.edge);
+                nodes_[n].mate = other;
+                nodes_[other].mate = n;
+                other = kNoGraphId;
             }
         }
     }
+
+    void run() {
+        for (const int degree : {1, 3, 2, 4})
+            for (GraphId n = 0; n < graph_.node_count(); ++n)
+                if (degree_[n] == degree) tour_from(n);
+    }
+
+  private:
+    static constexpr std::ptrdiff_t kAhead = 8;  // nodes, on the way back
+    static constexpr GraphId kDummy = kNoGraphId - 1;
+
+    struct Node {
+        GraphId next = 0, end = 0;  // arcs not yet looked at
+        GraphId mate = kNoGraphId;  // across the dummy edge, if that is not used yet
+    };
+
+    // An edge not yet used, the dummy first; its edge is kNoGraphId where there is none.
+    Arc next_arc(GraphId at) {
+        Node& node = nodes_[at];
+        if (node.mate != kNoGraphId) {
+            const GraphId mate = node.mate;
+            node.mate = nodes_[mate].mate = kNoGraphId;
+            return {mate, kDummy};
+        }
+        while (node.next < node.end) {
+            const Arc arc = graph_.arcs[node.next++];
+            if (used_[arc.edge]) continue;
+            used_.set(arc.edge);
+            return arc;
+        }
+        return {at, kNoGraphId};
+    }
+
+    // Colours the edges of the tour that starts and ends at `start`, last edge first.
+    void tour_from(GraphId start) {
+        bool in = true;
+        stack_.assign(1, {start, kNoGraphId});
+        while (!stack_.empty()) {
+            const Arc top = stack_.back();
+            const Arc arc = next_arc(top.to);
+            if (arc.edge != kNoGraphId) {
+                stack_.push_back(arc);
+                continue;
+            }
+            stack_.pop_back();
+            if (stack_.size() >= kAhead) __builtin_prefetch(&nodes_[stack_.end()[-kAhead].to]);
+            if (top.edge == kNoGraphId) return;
+            if (in && top.edge != kDummy) set_[top.edge] = 1;
+            in = !in;
+        }
+    }
+
+    const Graph& graph_;
+    EdgeSet& set_;
+    std::vector<std::uint8_t> degree_;  // of the edges that are kept
+    std::vector<Node> nodes_;
+    Bits used_;               // edges, and those that are not kept
+    std::vector<Arc> stack_;  // node and the edge it was reached by
 };
 
 }  // namespace
 
 EdgeSet euler_matching(const Graph& graph) {
-    const GraphId nodes = graph.node_count();
-    const std::vector<std::uint8_t> kept = thin(graph);
-    std::vector<std::array<GraphId, 2>> ends;
-    std::vector<GraphId> original;
-    for (GraphId e = 0; e < graph.edge_count(); ++e) {
-        if (kept[e] == 0) continue;
-        ends.push_back(graph.ends[e]);
-        original.push_back(e);
-    }
-    std::vector<std::uint8_t> degree = degrees_in(graph, kept);
-    for (GraphId n = 0; n < nodes; ++n)
-        if (degree[n] % 2 == 1) ends.push_back({n, nodes});
-    const Graph even = make_graph(nodes + 1, std::move(ends));
-
     EdgeSet set(graph.edge_count(), 0);
-    Tours tours{even,
-                {even.first.begin(), even.first.end() - 1},
-                std::vector<std::uint8_t>(even.edge_count(), 0),
-                {}};
-    const auto tour_from = [&](GraphId start) {
-        bool in = true;
-        tours.run(start, [&](GraphId e) {
-            if (in && e < original.size()) set[original[e]] = 1;
-            in = !in;
-        });
-    };
-    tour_from(nodes);
-    for (GraphId n = 0; n < nodes; ++n)
-        if (degree[n] == 2) tour_from(n);
-    for (GraphId n = 0; n < nodes; ++n)
-        if (degree[n] == 4) tour_from(n);
+    if (graph.node_count() > 0) Tours(graph, set).run();
     return set;
 }
 

@@ -30,6 +30,12 @@ class StripJoiner {
     const StripList& strips() const { return strips_; }  // as they were at first
     bool in_set(GraphId edge) const { return set_[edge] != 0; }
 
+    int degree(GraphId node) const {
+        int degree = 0;
+        for (const Arc& arc : graph_.at(node)) degree += set_[arc.edge];
+        return degree;
+    }
+
     GraphId strip_of(GraphId node) { return sets_.find(strips_.of[node]); }
     GraphId size(GraphId strip) { return sets_.size(strip); }
     bool is_open(GraphId strip) { return open_[sets_.find(strip)] != 0; }

@@ -98,9 +98,14 @@ Strip build_strip(const Complex& complex, FactorMethod method, const StripOption
     RingLimits rings;
     rings.edges_in = options.ring_edges;
     if (joiner.strips_left() > graph.parts.count) merges += merge_rings(joiner, rings);
-    if (joiner.strips_left() > graph.parts.count && rings.edges_in > 0)
+    Strip strip;
+    if (joiner.strips_left() > graph.parts.count && rings.edges_in > 0) {
         set = merge_by_rotations(graph, std::move(set)).set;
-    Strip strip = link_strips(complex, dual, set);
+        StripJoiner rotated(graph, set);
+        strip = link_strips(complex, dual, rotated);
+    } else {
+        strip = link_strips(complex, dual, joiner);
+    }
     strip.counts.cycles = factor.cycles;
     strip.counts.paths = factor.paths;
     strip.counts.singletons = factor.singletons;

@@ -9,20 +9,28 @@
 #include <utility>
 
 namespace ravel {
+namespace {
+
+constexpr Id kAhead = 12;  // cells, whose neighbours are fetched early
+
+}  // namespace
 
 Dual make_dual(const Complex& complex, std::span<const Id> order) {
     Dual dual;
     const Id cells = complex.cell_count();
     const bool tets = complex.kind == CellKind::tet;
+    const auto first = [&](Id cell) { return tets ? 4 * cell : complex.first[cell]; };
+    const auto cell_of = [&](Id facet) { return tets ? facet / 4 : complex.cell_of[facet]; };
     dual.cell_of.assign(order.begin(), order.end());
     dual.node_of.resize(cells);
-    for (Id n = 0; n < cells; ++n) dual.node_of[order[n]] = n;
     dual.edge_of.assign(complex.twin.size(), kNone);
     Graph& graph = dual.graph;
     graph.first.assign(std::size_t{cells} + 1, 0);
     for (Id n = 0; n < cells; ++n) {
+        if (n + kAhead < cells) __builtin_prefetch(&complex.twin[first(order[n + kAhead])]);
+        dual.node_of[order[n]] = n;
         Id degree = 0;
-        for (Id f = complex.first[order[n]]; f < complex.first[order[n] + 1]; ++f)
+        for (Id f = first(order[n]); f < first(order[n] + 1); ++f)
             degree += complex.twin[f] != kNone;
         graph.first[n + 1] = graph.first[n] + degree;
     }
@@ -34,11 +42,20 @@ Dual make_dual(const Complex& complex, std::span<const Id> order) {
     parts.of.assign(cells, kNoGraphId);
     bool carried = true;
     for (Id n = 0; n < cells; ++n) {
+        if (n + 2 * kAhead < cells) {
+            __builtin_prefetch(&complex.twin[first(order[n + 2 * kAhead])]);
+            const Id next = order[n + kAhead];
+            for (Id f = first(next); f < first(next + 1); ++f) {
+                if (complex.twin[f] == kNone) continue;
+                __builtin_prefetch(&dual.node_of[cell_of(complex.twin[f])]);
+                __builtin_prefetch(&dual.edge_of[complex.twin[f]], 1);
+            }
+        }
         if (parts.of[n] == kNoGraphId) parts.of[n] = parts.count++;
-        for (Id f = complex.first[order[n]]; f < complex.first[order[n] + 1]; ++f) {
+        for (Id f = first(order[n]); f < first(order[n] + 1); ++f) {
             const Id g = complex.twin[f];
             if (g == kNone) continue;
-            const Id m = dual.node_of[tets ? g / 4 : complex.cell_of[g]];
+            const Id m = dual.node_of[cell_of(g)];
             if (m < n) continue;
             const GraphId edge = graph.edge_count();
             dual.edge_of[f] = edge;

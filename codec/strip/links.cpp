@@ -10,7 +10,6 @@
 #include <array>
 #include <numeric>
 
-#include "graph/cycles.h"
 #include "graph/union_find.h"
 
 namespace ravel {
@@ -28,74 +27,68 @@ std::size_t price_of(const Complex& complex, Id facet) {
     return std::min(price - 6, kPrices - 2);
 }
 
-// The lower end of a path, the lowest cell of another strip.
-Id root_of(const Dual& dual, const StripList& strips, GraphId strip) {
-    const GraphId begin = strips.first[strip], end = strips.first[strip + 1];
-    Id root = dual.cell_of[strips.node[begin]];
-    if (strips.shape[strip] == StripShape::path)
-        return std::min(root, dual.cell_of[strips.node[end - 1]]);
-    for (GraphId i = begin; i < end; ++i) root = std::min(root, dual.cell_of[strips.node[i]]);
-    return root;
-}
-
 }  // namespace
 
-Strip link_strips(const Complex& complex, const Dual& dual, const EdgeSet& set) {
+Strip link_strips(const Complex& complex, const Dual& dual, StripJoiner& joiner) {
+    const Graph& graph = dual.graph;
+    const Components& parts = graph.parts;
     Strip strip;
+    strip.counts.components = parts.count;
+    strip.counts.strips = parts.count;
     strip.role.assign(complex.twin.size(), FacetRole::none);
-    const auto assign = [&](GraphId edge, FacetRole role) {
-        const Id f = dual.facet_of[edge];
-        strip.role[f] = role;
-        strip.role[complex.twin[f]] = role;
-    };
-    const StripList strips = list_strips(dual.graph, set);
-    std::array<std::vector<GraphId>, kPrices> between;
-    for (GraphId e = 0; e < dual.graph.edge_count(); ++e) {
-        const auto [a, b] = dual.graph.ends[e];
-        if (set[e] != 0) assign(e, FacetRole::strip);
-        if (strips.of[a] != strips.of[b]) between[price_of(complex, dual.facet_of[e])].push_back(e);
-    }
-    UnionFind joined(strips.count());
-    std::vector<std::uint8_t> carries(complex.cell_count(), 0);
-    for (const bool fresh : {true, false}) {
-        for (const std::vector<GraphId>& edges : between) {
-            for (const GraphId e : edges) {
-                const auto [a, b] = dual.graph.ends[e];
-                if (fresh && (carries[a] != 0 || carries[b] != 0)) continue;
-                if (!joined.unite(strips.of[a], strips.of[b])) continue;
-                assign(e, FacetRole::link);
-                carries[a] = 1;
-                carries[b] = 1;
-                ++strip.counts.links;
+    for (Id f = 0; f < strip.role.size(); ++f)
+        if (dual.edge_of[f] != kNone && joiner.in_set(dual.edge_of[f]))
+            strip.role[f] = FacetRole::strip;
+
+    if (joiner.strips_left() > parts.count) {
+        std::array<std::vector<GraphId>, kPrices> between;
+        for (GraphId e = 0; e < graph.edge_count(); ++e) {
+            const auto [a, b] = graph.ends[e];
+            if (joiner.strip_of(a) != joiner.strip_of(b))
+                between[price_of(complex, dual.facet_of[e])].push_back(e);
+        }
+        UnionFind joined(joiner.strips().count());
+        std::vector<std::uint8_t> carries(complex.cell_count(), 0);
+        for (const bool fresh : {true, false}) {
+            for (const std::vector<GraphId>& edges : between) {
+                for (const GraphId e : edges) {
+                    const auto [a, b] = graph.ends[e];
+                    if (fresh && (carries[a] != 0 || carries[b] != 0)) continue;
+                    if (!joined.unite(joiner.strip_of(a), joiner.strip_of(b))) continue;
+                    const Id f = dual.facet_of[e];
+                    strip.role[f] = strip.role[complex.twin[f]] = FacetRole::link;
+                    carries[a] = 1;
+                    carries[b] = 1;
+                    ++strip.counts.links;
+                }
             }
         }
     }
-    const Components& parts = dual.graph.parts;
-    std::vector<GraphId> first_strip(parts.count, kNoGraphId);
-    for (GraphId s = 0; s < strips.count(); ++s) {
-        GraphId& best = first_strip[parts.of[strips.node[strips.first[s]]]];
-        const auto open = [&](GraphId t) { return strips.shape[t] == StripShape::path; };
-        if (best == kNoGraphId || (open(s) && !open(best)) ||
-            (open(s) == open(best) && strips.size(s) > strips.size(best)))
+
+    // The strip that each part starts with: an open one, else the largest, the first of these.
+    std::vector<GraphId> start(parts.count, kNoGraphId);
+    for (GraphId s = 0; s < joiner.strips().count(); ++s) {
+        if (joiner.strip_of(joiner.strips().node[joiner.strips().first[s]]) != s) continue;
+        GraphId& best = start[joiner.part_of(s)];
+        if (best == kNoGraphId || (joiner.is_open(s) && !joiner.is_open(best)) ||
+            (joiner.is_open(s) == joiner.is_open(best) && joiner.size(s) > joiner.size(best)))
             best = s;
     }
-    strip.counts.components = parts.count;
-    strip.counts.strips = parts.count;
-    // Components are told apart by their lowest cells.
-    std::vector<Id> lowest(parts.count, kNone), roots;
-    for (GraphId n = 0; n < dual.graph.node_count(); ++n) {
-        Id& cell = lowest[parts.of[n]];
-        cell = std::min(cell, dual.cell_of[n]);
+    // Its lowest cell, of a path its lower end. Components are told apart by their lowest cells.
+    std::vector<Id> root(parts.count, kNone), lowest(parts.count, kNone);
+    for (GraphId n = 0; n < graph.node_count(); ++n) {
+        const GraphId part = parts.of[n], s = start[part];
+        const Id cell = dual.cell_of[n];
+        lowest[part] = std::min(lowest[part], cell);
+        if (joiner.strip_of(n) != s || (joiner.is_open(s) && joiner.degree(n) != 1)) continue;
+        root[part] = std::min(root[part], cell);
     }
-    for (const GraphId s : first_strip) {
-        roots.push_back(root_of(dual, strips, s));
-        strip.counts.open_strips += strips.shape[s] == StripShape::path;
-    }
+    for (const GraphId s : start) strip.counts.open_strips += joiner.is_open(s);
     std::vector<GraphId> order(parts.count);
     std::iota(order.begin(), order.end(), GraphId{0});
     std::sort(order.begin(), order.end(),
               [&](GraphId a, GraphId b) { return lowest[a] < lowest[b]; });
-    for (const GraphId part : order) strip.roots.push_back(roots[part]);
+    for (const GraphId part : order) strip.roots.push_back(root[part]);
     return strip;
 }
 

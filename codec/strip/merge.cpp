@@ -135,11 +135,8 @@ class Merger {
 
     std::vector<GraphId> path_ends() const {
         std::vector<GraphId> ends;
-        for (GraphId n = 0; n < dual_.graph.node_count(); ++n) {
-            int degree = 0;
-            for (const Arc& arc : dual_.graph.at(n)) degree += joiner_.in_set(arc.edge);
-            if (degree == 1) ends.push_back(n);
-        }
+        for (GraphId n = 0; n < dual_.graph.node_count(); ++n)
+            if (joiner_.is_open(strips_.of[n]) && joiner_.degree(n) == 1) ends.push_back(n);
         return ends;
     }
 

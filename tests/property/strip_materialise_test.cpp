@@ -53,7 +53,9 @@ bool is_convex(const Mesh& mesh, Index cell) {
 // often.
 Strip singletons_only(const Complex& complex) {
     const Dual dual = make_dual(complex);
-    return link_strips(complex, dual, EdgeSet(dual.graph.edge_count(), 0));
+    EdgeSet none(dual.graph.edge_count(), 0);
+    StripJoiner joiner(dual.graph, none);
+    return link_strips(complex, dual, joiner);
 }
 
 std::vector<Strip> strips_of(const Complex& complex) {

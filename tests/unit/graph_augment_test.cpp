@@ -50,6 +50,24 @@ TEST_CASE("augmenting keeps a 2-matching and never loses an edge") {
     }
 }
 
+TEST_CASE("joining ends keeps a matching or 2-matching and never loses an edge") {
+    std::vector<Graph> graphs;
+    for (const auto& [name, graph] : test::small_graphs()) graphs.push_back(graph);
+    for (std::uint32_t seed = 0; seed < 300; ++seed)
+        graphs.push_back(test::random_graph(20 + seed % 50, 2 + seed % 5, seed));
+    for (const Graph& graph : graphs) {
+        for (const int most : {1, 2}) {
+            std::vector<EdgeSet> starts{EdgeSet(graph.edge_count(), 0)};
+            if (most == 2) starts.push_back(euler_matching(graph));
+            for (const EdgeSet& start : starts) {
+                const EdgeSet set = join_ends(graph, start, most);
+                for (const auto degree : degrees_in(graph, set)) CHECK(degree <= most);
+                CHECK(edges_of(set) >= edges_of(start));
+            }
+        }
+    }
+}
+
 TEST_CASE("augmenting from nothing finds a maximum in small graphs") {
     for (const auto& [name, graph] : test::small_graphs()) {
         if (graph.edge_count() > 14) continue;
