@@ -47,6 +47,22 @@ inline Graph random_graph(GraphId nodes, GraphId degree, std::uint32_t seed) {
     return make_graph(nodes, ends);
 }
 
+// Rings of small nodes, each also joined to one of few hubs and now and then to another ring.
+inline Graph hubs(GraphId nodes, GraphId hubs, std::uint32_t seed) {
+    std::uint32_t state = seed * 2654435761u + 3;
+    const auto draw = [&](GraphId below) {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<GraphId>((std::uint64_t{state} * below) >> 32);
+    };
+    Ends ends;
+    for (GraphId n = hubs; n < nodes; ++n) {
+        ends.push_back({draw(hubs), n});
+        if (draw(3) > 0 && n + 1 < nodes) ends.push_back({n, n + 1});
+        if (draw(4) == 0 && n > hubs) ends.push_back({hubs + draw(n - hubs), n});
+    }
+    return make_graph(nodes, ends);
+}
+
 struct NamedGraph {
     std::string name;
     Graph graph;
