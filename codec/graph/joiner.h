@@ -38,6 +38,7 @@ class StripJoiner {
 
     GraphId strip_of(GraphId node) { return sets_.find(strips_.of[node]); }
     GraphId size(GraphId strip) { return sets_.size(strip); }
+    GraphId rank(GraphId node) const { return ropes_.rank(node); }
     bool is_open(GraphId strip) { return open_[sets_.find(strip)] != 0; }
     // Does the strip hold more than half of its part?
     bool in_majority(GraphId strip) {

@@ -13,6 +13,7 @@
 #include "graph/cut.h"
 #include "graph/cycles.h"
 #include "graph/euler.h"
+#include "graph/leftover.h"
 #include "graph/rings.h"
 #include "graph/rotate.h"
 #include "graph/template_factor.h"
@@ -100,7 +101,7 @@ Strip build_strip(const Complex& complex, FactorMethod method, const StripOption
     if (joiner.strips_left() > graph.parts.count) merges += merge_rings(joiner, rings);
     Strip strip;
     if (joiner.strips_left() > graph.parts.count && rings.edges_in > 0) {
-        set = merge_by_rotations(graph, std::move(set)).set;
+        set = merge_leftover(graph, merge_by_rotations(graph, std::move(set)).set);
         StripJoiner rotated(graph, set);
         strip = link_strips(complex, dual, rotated);
     } else {
