@@ -22,8 +22,13 @@ class Search {
         GraphId id;
     };
 
-    explicit Search(std::size_t nodes)
-        : edges_of_(nodes), need_(nodes, 2), stubs_(nodes, 0), fixed_(nodes, 0), mate_(nodes) {
+    explicit Search(std::size_t nodes, std::uint32_t seed = 0)
+        : random_(seed),
+          edges_of_(nodes),
+          need_(nodes, 2),
+          stubs_(nodes, 0),
+          fixed_(nodes, 0),
+          mate_(nodes) {
         for (GraphId i = 0; i < nodes; ++i) mate_[i] = i;
         open_.assign(nodes, 1);
     }
@@ -102,7 +107,9 @@ class Search {
         }
         if (node == kOutside) return ends_left_ == 0;
         open_[node] = 0;
-        const std::vector<GraphId> free = undecided(node);
+        std::vector<GraphId> free = undecided(node);
+        if (random_ != 0)
+            for (std::size_t i = free.size(); i > 1; --i) std::swap(free[i - 1], free[draw(i)]);
         for (const GraphId e : free) chosen_[e] = kOut;
         if (take(node, free, 0, need_[node])) return true;
         if (ends_left_ > 0 && need_[node] > 0) {
@@ -156,6 +163,12 @@ class Search {
         return false;
     }
 
+    std::size_t draw(std::size_t below) {
+        random_ = random_ * 1664525U + 1013904223U;
+        return (std::uint64_t{random_} * below) >> 32;
+    }
+
+    std::uint32_t random_;  // 0 where choices are tried in order
     std::vector<Edge> edges_;
     std::vector<Choice> chosen_;
     std::vector<std::vector<GraphId>> edges_of_;
@@ -279,21 +292,25 @@ std::vector<GraphId> grow_region(const Graph& graph, std::span<const GraphId> st
     return region;
 }
 
-bool merge_in_region(StripJoiner& joiner, std::span<const GraphId> region, bool part_has_path,
-                     EdgeSet& set, std::size_t steps) {
+bool merge_in_region(StripJoiner& joiner, std::span<const GraphId> region,
+                     const RegionSearch& options, EdgeSet& set) {
     const Places places(region);
-    Search search(region.size());
+    Search search(region.size(), options.seed);
     add_edges(joiner.graph(), region, places, search, [](GraphId) {});
     const Outside now = add_fragments(joiner, region, search);
-    const int most = now.closed - 1;
+    const int most = options.sideways ? now.closed : now.closed - 1;
+    const std::size_t steps = options.steps;
     bool found = search.run(most, now.ends, steps);
     // A path that is in the region with both its ends may close, a part without one may get one.
     if (!found && now.ends == 2) found = search.run(most + 1, 0, steps);
-    if (!found && !part_has_path) found = search.run(most - 1, 2, steps);
+    if (!found && !options.part_has_path) found = search.run(most - 1, 2, steps);
     if (!found) return false;
-    for (std::size_t e = 0; e < search.edges().size(); ++e)
-        set[search.edges()[e].id] = search.is_chosen(e) ? 1 : 0;
-    return true;
+    bool changed = false;
+    for (std::size_t e = 0; e < search.edges().size(); ++e) {
+        const std::uint8_t in = search.is_chosen(e) ? 1 : 0;
+        changed |= std::exchange(set[search.edges()[e].id], in) != in;
+    }
+    return changed;
 }
 
 GraphId fewest_inside(const Graph& graph, std::span<const GraphId> region, int ends,
