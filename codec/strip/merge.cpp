@@ -65,8 +65,10 @@ class Merger {
   public:
     Merger(const Complex& complex, const Dual& dual, StripJoiner& joiner)
         : complex_(complex), dual_(dual), joiner_(joiner), strips_(joiner.strips()) {
-        for (const StripShape shape : strips_.shape)
-            any_open_ = any_open_ || shape == StripShape::path;
+        for (GraphId s = 0; s < strips_.count() && strips_.shape[s] == StripShape::path; ++s) {
+            ends_.push_back(strips_.node[strips_.first[s]]);
+            ends_.push_back(strips_.node[strips_.first[s + 1] - 1]);
+        }
     }
 
     std::uint64_t run() {
@@ -79,7 +81,7 @@ class Merger {
                     merge_at(strips_.node[i]);
             }
             const bool merged = joiner_.strips_left() != left;
-            if (any_open_) absorb_at_path_ends();
+            absorb_at_path_ends();
             if (!merged) break;
         }
         return before - joiner_.strips_left();
@@ -129,15 +131,8 @@ class Merger {
 
     // A path end x next to a cycle through y: drop an edge y-z of the cycle, add x-y, go on from z.
     void absorb_at_path_ends() {
-        for (const GraphId end : path_ends())
-            for (GraphId at = end; at != kNoGraphId;) at = absorb(at);
-    }
-
-    std::vector<GraphId> path_ends() const {
-        std::vector<GraphId> ends;
-        for (GraphId n = 0; n < dual_.graph.node_count(); ++n)
-            if (joiner_.is_open(strips_.of[n]) && joiner_.degree(n) == 1) ends.push_back(n);
-        return ends;
+        for (GraphId& end : ends_)
+            for (GraphId at = end; at != kNoGraphId; at = absorb(at)) end = at;
     }
 
     GraphId absorb(GraphId end) {
@@ -154,7 +149,7 @@ class Merger {
     const Dual& dual_;
     StripJoiner& joiner_;
     const StripList& strips_;
-    bool any_open_ = false;
+    std::vector<GraphId> ends_;  // of paths
     Fan fan_;
     std::vector<GraphId> found_;
     std::vector<RingLink> ring_;
