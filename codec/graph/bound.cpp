@@ -21,6 +21,7 @@ namespace {
 constexpr std::array<std::size_t, 9> kSizes{4, 7, 10, 13, 16, 20, 24, 30, 36};
 constexpr std::size_t kSteps = 20000;  // of a search
 constexpr std::size_t kMostSearches = 50000;
+constexpr GraphId kMostMatched = 500000;  // nodes; a matching of more takes seconds
 
 // What lies inside the regions of a part, and how much of it the ends of the path save.
 struct Inside {
@@ -38,9 +39,10 @@ struct Inside {
     }
     std::uint64_t links(std::uint64_t part_nodes) const {
         const std::uint64_t spared = std::max(one_end + next_end, both_ends);
-        const std::uint64_t fewest = strips - std::min(strips, spared);
-        // Where the regions hold the whole part, one of the strips is the one that stays.
-        return nodes < part_nodes || fewest == 0 ? fewest : fewest - 1;
+        // Where the regions hold the whole part, its path or one of the strips is the one that
+        // stays.
+        const std::uint64_t least = nodes < part_nodes ? 0 : 1;
+        return strips - std::min(strips, std::max(spared, least));
     }
 };
 
@@ -80,7 +82,7 @@ class Bound {
         bool all = true;
         for (GraphId part = 0; part < links_.size(); ++part)
             all = all && links_[part] + 1 >= strips_in_[part];
-        if (!all) look_at_deficiency();
+        if (!all && graph_.node_count() <= kMostMatched) look_at_deficiency();
         std::uint64_t sum = 0;
         for (const std::uint64_t links : links_) sum += links;
         return sum;

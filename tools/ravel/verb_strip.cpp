@@ -15,6 +15,7 @@
 #include "ravel/talk.h"
 #include "ravel/verbs.h"
 #include "ravel/wind.h"
+#include "strip/forced.h"
 
 namespace ravel::tool {
 namespace {
@@ -61,6 +62,7 @@ Json facts_of(const Options& options, const Mesh& mesh, const Wound& wound,
     facts["factor"]["two_factor"] = two_factor_of(options, counts);
     facts["fan_merges"] = counts.fan_merges;
     facts["links"] = counts.links;
+    facts["links_forced"] = forced_links(wound.complex, wound.strip);
     facts["strips"] = counts.strips;
     facts["open_strips"] = counts.open_strips;
     facts["added_cells"] = made.added_cells;
