@@ -142,6 +142,15 @@ TEST_CASE("closed quad surfaces and grids need no link") {
         CHECK(build_strip(complex_of(mesh)).counts.links == 0);
 }
 
+TEST_CASE("a regular torus needs no link by any method") {
+    const Complex complex = complex_of(test::quad_torus(120, 90));
+    for (const FactorMethod method : kMethods) {
+        const Strip strip = build_strip(complex, method);
+        CHECK(strip.counts.links == 0);
+        CHECK(strip.counts.open_strips == 0);
+    }
+}
+
 TEST_CASE("two cells that share one facet are an open strip") {
     const Strip strip = build_strip(complex_of(test::quad_grid(2, 1)));
     CHECK(strip.counts.open_strips == 1);
