@@ -1,11 +1,11 @@
 // Petersen's theorem made linear [Petersen1891]: colour the edges of an Euler tour [Hierholzer1873]
 // A B A B; a node the tour passes d/2 times gets d/2 edges of each colour. Nodes of degree above
 // four first keep four edges, evenly spread over their rows. Odd nodes are joined in pairs by dummy
-// edges, those next to each other in number, which are near each other along a walk: where the
-// dummy takes the colour that counts, both lack an edge, and are near. A part with an odd number of
-// edges has a seam where its tour starts; that is at a node where it does no harm, if there is one:
-// an odd one, or one of degree two. Rows are read from either end, as a hash of the node says:
-// else regular meshes fall into parallel staircases, which no short ring merges.
+// edges, neighbours where that goes: if the dummy takes the colour that counts, both lack an edge,
+// and a short walk mends that. A part with an odd number of edges has a seam where its tour starts;
+// that is at a node where it does no harm, if there is one: an odd one, or one of degree two. Rows
+// are read from either end, as a hash of the node says: else regular meshes fall into parallel
+// staircases, which no short ring merges.
 // Cost: linear in nodes and edges.
 #include "graph/euler.h"
 
@@ -38,17 +38,26 @@ class Tours {
         const std::vector<std::uint8_t> kept = thin(graph);
         for (GraphId e = 0; e < graph.edge_count(); ++e)
             if (kept[e] == 0) used_.set(e);
-        std::vector<GraphId> odd(graph.parts.count, kNoGraphId);  // part -> odd node without mate
         for (GraphId n = 0; n < graph.node_count(); ++n) {
             nodes_[n] = {graph.first[n], graph.first[n + 1], kNoGraphId};
             for (const Arc& arc : graph.at(n)) degree_[n] += kept[arc.edge];
-            if (degree_[n] % 2 == 0) continue;
-            GraphId& other = odd[graph.parts.of[n]];
+        }
+        // Neighbours, those two steps apart, then any two of a part.
+        for (GraphId n = 0; n < graph.node_count(); ++n)
+            for (const Arc& arc : graph.at(n)) join_odd(n, arc.to);
+        for (GraphId n = 0; n < graph.node_count(); ++n) {
+            if (degree_[n] % 2 == 0 || nodes_[n].mate != kNoGraphId) continue;
+            for (const Arc& arc : graph.at(n))
+                for (const Arc& next : graph.at(arc.to)) join_odd(n, next.to);
+        }
+        std::vector<GraphId> left(graph.parts.count, kNoGraphId);  // part -> odd node without mate
+        for (GraphId n = 0; n < graph.node_count(); ++n) {
+            if (degree_[n] % 2 == 0 || nodes_[n].mate != kNoGraphId) continue;
+            GraphId& other = left[graph.parts.of[n]];
             if (other == kNoGraphId) {
                 other = n;
             } else {
-                nodes_[n].mate = other;
-                nodes_[other].mate = n;
+                join_odd(n, other);
                 other = kNoGraphId;
             }
         }
@@ -68,6 +77,13 @@ class Tours {
         GraphId next = 0, end = 0;  // arcs not yet looked at
         GraphId mate = kNoGraphId;  // across the dummy edge, if that is not used yet
     };
+
+    void join_odd(GraphId a, GraphId b) {
+        if (a == b || degree_[a] % 2 == 0 || degree_[b] % 2 == 0) return;
+        if (nodes_[a].mate != kNoGraphId || nodes_[b].mate != kNoGraphId) return;
+        nodes_[a].mate = b;
+        nodes_[b].mate = a;
+    }
 
     // An edge not yet used, the dummy first; its edge is kNoGraphId where there is none.
     Arc next_arc(GraphId at) {
