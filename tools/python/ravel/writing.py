@@ -43,13 +43,14 @@ def write(path, points, cells, point_data=None, cell_data=None, **options):
 
 
 def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, companions=(), companion_data=None,
-          mesh_data=None, tag_names=(), notes=(), position_bits=None, max_error=None, float32=False, keep_order=False,
-          strip_budget=None, level=None):
+          mesh_data=None, tag_names=(), notes=(), position_bits=None, max_error=None, max_error_relative=None, lattice=None,
+          float32=False, keep_order=False, strip_budget=None, level=None):
     """Packs a mesh.
 
     cells: blocks (type, data) as in meshio, {type: data}, or ("polygon", (begin, corners)) for polygons of
     any degree; all triangles, quads and polygons, or all tets. cell_data has one array per block. Positions
-    are exact unless position_bits (1..30 along the longest side) or max_error is given.
+    are exact unless one of position_bits (1..30 along the longest side), max_error, max_error_relative (in
+    diagonals of the bounding box) and lattice (a power of two, alike for every mesh) is given.
     """
     kind, corners, begin, counts = _cells_of(cells)
     pack = lib.library()
@@ -89,6 +90,7 @@ def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, c
         options = lib.EncodeOptions()
         pack.ravel_encode_options_init(byref(options))
         options.position_bits, options.max_error = position_bits or 0, max_error or 0
+        options.max_error_relative, options.lattice = max_error_relative or 0, lattice or 0
         options.float32, options.keep_order = float32, keep_order
         if strip_budget is not None:
             options.strip_budget = strip_budget

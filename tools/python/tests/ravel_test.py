@@ -93,6 +93,15 @@ class Surfaces(unittest.TestCase):
         self.assertLessEqual(written.position_bound, 1e-3)
         self.assertGreater(written.position_bound, 0)
 
+    def test_the_bound_may_be_told_in_diagonals_or_by_a_lattice(self):
+        points = self.points.astype(np.float64)
+        diagonal = np.linalg.norm(points.max(axis=0) - points.min(axis=0))
+        relative = ravel.dumps(points, self.cells, max_error_relative=1e-3)
+        self.assertGreater(relative.position_bound, 0)
+        self.assertLessEqual(relative.position_bound, 1e-3 * diagonal)
+        on_lattice = ravel.loads(ravel.dumps(points + 0.3, self.cells, lattice=2.0**-4).bytes).points * 16
+        np.testing.assert_array_equal(on_lattice, np.round(on_lattice))
+
     def test_whatever_a_mesh_has_comes_back(self):
         mesh = ravel.read(made("torus:quads=500,attributes,seed=3", "ply")[1])
         self.assertGreater(len(mesh.point_data) + len(mesh.cell_data), 1)
