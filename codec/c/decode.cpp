@@ -55,7 +55,7 @@ int decode_into(std::span<const std::byte> bytes, const ravel_decode_options* op
         return fail(error, RAVEL_BAD_ARGUMENT,
                     "indices are RAVEL_U32 or RAVEL_U64, positions RAVEL_F32 or RAVEL_F64");
     ravel_summary holds;
-    ravel_summary_init(&holds);
+    ravel_summary_init(&holds, sizeof holds);
     if (const int code = inspect_file(bytes, &holds, error); code != RAVEL_DONE) return code;
     const std::uint64_t begins = holds.kind == RAVEL_TETS ? 0 : holds.cells + 1;
     struct Wanted {
@@ -98,12 +98,12 @@ using namespace ravel::c;
 
 extern "C" {
 
-void ravel_decode_options_init(ravel_decode_options* options) {
-    if (options != nullptr) *options = default_options();
+void ravel_decode_options_init(ravel_decode_options* options, std::size_t struct_size) {
+    initialise(options, struct_size, default_options());
 }
 
-void ravel_buffers_init(ravel_buffers* buffers) {
-    if (buffers != nullptr) *buffers = default_buffers();
+void ravel_buffers_init(ravel_buffers* buffers, std::size_t struct_size) {
+    initialise(buffers, struct_size, default_buffers());
 }
 
 int ravel_inspect(const void* bytes, size_t size, ravel_summary* summary, ravel_error* error) {

@@ -50,6 +50,18 @@ T known_fields(const T* given, T defaults) {
     return defaults;
 }
 
+// Defaults for the `size` bytes of a struct that the caller knows of.
+template <class T>
+void initialise(T* to, std::size_t size, T defaults) {
+    if (to == nullptr) return;
+    if (size > sizeof(T)) size = sizeof(T);
+    if (size < sizeof defaults.struct_size) return;
+    defaults.struct_size = static_cast<std::uint32_t>(size);
+    const auto* from = reinterpret_cast<const unsigned char*>(&defaults);
+    auto* out = reinterpret_cast<unsigned char*>(to);
+    for (std::size_t i = 0; i < size; ++i) out[i] = from[i];
+}
+
 // Copies of `from` as far as the caller has room for fields.
 template <class T>
 void give_fields(const T& from, T* to) {

@@ -109,10 +109,8 @@ using namespace ravel::c;
 
 extern "C" {
 
-void ravel_summary_init(ravel_summary* summary) {
-    if (summary == nullptr) return;
-    *summary = {};
-    summary->struct_size = sizeof *summary;
+void ravel_summary_init(ravel_summary* summary, std::size_t struct_size) {
+    initialise(summary, struct_size, ravel_summary{});
 }
 
 int ravel_mesh_summary(const ravel_mesh* mesh, ravel_summary* summary, ravel_error* error) {

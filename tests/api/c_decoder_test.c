@@ -14,7 +14,7 @@ static void sizes_come_first(size_t size) {
         ravel_summary summary;
         uint32_t behind;
     } guard;
-    ravel_summary_init(&s);
+    ravel_summary_init(&s, sizeof s);
     CHECK(ravel_inspect(bytes, size, &s, &error) == RAVEL_DONE);
     CHECK(s.points == 7 && s.cells == 3 && s.corners == 11 && s.kind == RAVEL_POLYGONS);
     CHECK(s.exact_positions == 1 && s.keeps_order == 1 && s.file_bytes == size);
@@ -26,6 +26,11 @@ static void sizes_come_first(size_t size) {
     CHECK(ravel_inspect(bytes, size, &guard.summary, &error) == RAVEL_DONE);
     CHECK(guard.summary.cells == 3);
     CHECK(*(const unsigned char*)&guard.summary.corners == 0x5A);
+
+    memset(&guard, 0x5A, sizeof guard);
+    ravel_summary_init(&guard.summary, offsetof(ravel_summary, corners));
+    CHECK(guard.summary.struct_size == offsetof(ravel_summary, corners) && guard.summary.cells == 0);
+    CHECK(*(const unsigned char*)&guard.summary.corners == 0x5A);
 }
 
 static void buffers_are_filled(size_t size) {
@@ -34,7 +39,7 @@ static void buffers_are_filled(size_t size) {
     double exact[21];
     uint64_t wide[11];
     ravel_buffers b;
-    ravel_buffers_init(&b);
+    ravel_buffers_init(&b, sizeof b);
     b.positions = positions;
     b.positions_size = sizeof positions;
     b.corners = corners;
@@ -52,7 +57,7 @@ static void buffers_are_filled(size_t size) {
     CHECK(ravel_decode_into(bytes, size, NULL, &b, &error) == RAVEL_TOO_SMALL);
     CHECK(strstr(error.sentence, "corners") != NULL);
 
-    ravel_buffers_init(&b);
+    ravel_buffers_init(&b, sizeof b);
     b.index_scalar = RAVEL_U64;
     b.position_scalar = RAVEL_F64;
     b.positions = exact;
@@ -83,7 +88,7 @@ static void damage_is_refused(size_t size) {
     CHECK(ravel_decode(NULL, 0, NULL, &mesh, &error) == RAVEL_NOT_A_RAVEL_FILE);
     CHECK(ravel_decode(NULL, 5, NULL, &mesh, &error) == RAVEL_BAD_ARGUMENT);
     CHECK(ravel_decode(bytes, size, NULL, NULL, &error) == RAVEL_BAD_ARGUMENT);
-    ravel_decode_options_init(&options);
+    ravel_decode_options_init(&options, sizeof options);
     options.memory_limit = 1000;
     CHECK(ravel_decode(bytes, size, &options, &mesh, &error) == RAVEL_LIMIT_EXCEEDED);
     CHECK(mesh == NULL && strstr(error.sentence, "memory") != NULL);

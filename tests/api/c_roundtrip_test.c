@@ -66,7 +66,7 @@ static void find_polygons_again(const ravel_mesh* mesh) {
     uint32_t corners[11], position[3], i;
     uint64_t cell[3];
     float narrow[21];
-    ravel_summary_init(&s);
+    ravel_summary_init(&s, sizeof s);
     CHECK(ravel_mesh_summary(mesh, &s, &error) == RAVEL_DONE);
     CHECK(s.kind == RAVEL_POLYGONS && s.points == 7 && s.cells == 3 && s.corners == 11);
     CHECK(s.attributes == 3 && s.companion_blocks == 1 && s.position_scalar == RAVEL_F64);
@@ -119,7 +119,7 @@ static void polygons_come_back(const char* path) {
     ravel_encode_options options;
     ravel_array file;
     FILE* out;
-    ravel_encode_options_init(&options);
+    ravel_encode_options_init(&options, sizeof options);
     options.keep_order = 1;
     CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_DONE);
     CHECK(ravel_packed_bound(packed) == 0);
@@ -148,7 +148,7 @@ static void tets_come_back(void) {
     CHECK(ravel_mesh_set(mesh, RAVEL_POSITIONS, &a, &error) == RAVEL_DONE);
     a = array_of(tets, 2, 4, RAVEL_U32);
     CHECK(ravel_mesh_set(mesh, RAVEL_CORNERS, &a, &error) == RAVEL_DONE);
-    ravel_encode_options_init(&options);
+    ravel_encode_options_init(&options, sizeof options);
     options.max_error = .001;
     CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_DONE);
     CHECK(ravel_packed_bound(packed) > 0 && ravel_packed_bound(packed) <= .001);
@@ -185,7 +185,7 @@ static void errors_are_values(void) {
     CHECK(ravel_encode(mesh, NULL, &packed, &error) == RAVEL_BAD_MESH);
     CHECK(packed == NULL && error.code == RAVEL_BAD_MESH && strlen(error.sentence) > 10);
     CHECK(ravel_encode(mesh, NULL, &packed, NULL) == RAVEL_BAD_MESH);
-    ravel_encode_options_init(&options);
+    ravel_encode_options_init(&options, sizeof options);
     options.position_bits = 99;
     CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_BAD_OPTION);
     a = array_of(negative, 2, 1, RAVEL_I32);

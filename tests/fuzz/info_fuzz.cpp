@@ -19,11 +19,11 @@ void fail(const char* what) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     ravel_error error;
     ravel_summary holds;
-    ravel_summary_init(&holds);
+    ravel_summary_init(&holds, sizeof holds);
     const int code = ravel_inspect(data, size, &holds, &error);
     if (code != RAVEL_DONE && error.sentence[0] == 0) fail("an error without words");
     ravel_decode_options options;
-    ravel_decode_options_init(&options);
+    ravel_decode_options_init(&options, sizeof options);
     options.memory_limit = std::uint64_t{16} << 20;
     const bool fits = code == RAVEL_DONE && holds.points < 100000 && holds.corners < 100000 &&
                       holds.cells < 100000;
@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<std::uint32_t> corners(fits ? holds.corners : 0), begin(fits ? holds.cells + 1 : 0),
         cell(fits ? holds.cells : 0), position(fits ? holds.cells : 0);
     ravel_buffers buffers;
-    ravel_buffers_init(&buffers);
+    ravel_buffers_init(&buffers, sizeof buffers);
     buffers.position_scalar = RAVEL_F64;
     const auto lend = [](auto& list, void*& data_of, std::size_t& size_of) {
         data_of = list.data();

@@ -42,8 +42,8 @@ using namespace ravel::c;
 
 extern "C" {
 
-void ravel_encode_options_init(ravel_encode_options* options) {
-    if (options != nullptr) *options = default_options();
+void ravel_encode_options_init(ravel_encode_options* options, std::size_t struct_size) {
+    initialise(options, struct_size, default_options());
 }
 
 int ravel_encode(const ravel_mesh* mesh, const ravel_encode_options* options, ravel_packed** packed,

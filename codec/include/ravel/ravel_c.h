@@ -12,8 +12,9 @@
  * `error` is not NULL. Nothing throws, aborts or leaks; any bytes are safe to decode. Two threads
  * may work at the same time, and read one mesh; nobody may change or free what another reads.
  *
- * Structs that may grow begin with `struct_size`: the _init functions set it, and a library reads
- * only the fields that the caller knew of. ravel_abi() changes when anything else does.
+ * Structs that may grow begin with `struct_size`. The _init functions set it and the defaults; they
+ * are told the size of the caller's struct, and a library reads and writes only the fields that the
+ * caller knew of. ravel_abi() changes when anything else does.
  *
  * The first part of this header needs the decoder alone (target ravel::decode, -lravel_decode),
  * the second part the encoder too (ravel::ravel, -lravel). */
@@ -29,7 +30,7 @@ extern "C" {
 
 /* -- Words ---------------------------------------------------------------------------------- */
 
-enum { RAVEL_ABI = 1 };
+enum { RAVEL_ABI = 2 };
 /* The RAVEL_ABI the library was built with; the program that calls it expects the same. */
 uint32_t ravel_abi(void);
 
@@ -139,7 +140,7 @@ typedef struct ravel_summary {
     double position_bound, position_error; /* allowed and measured, 0 for exact positions */
     uint64_t file_bytes;
 } ravel_summary;
-void ravel_summary_init(ravel_summary* summary);
+void ravel_summary_init(ravel_summary* summary, size_t struct_size);
 
 /* -- Decoding ------------------------------------------------------------------------------- */
 
@@ -150,7 +151,7 @@ typedef struct ravel_decode_options {
     uint32_t strip;        /* 1: also how the strip runs, 0: not (its arrays are then empty) */
     uint64_t memory_limit; /* bytes the decoder may take in all, 16 GiB unless set */
 } ravel_decode_options;
-void ravel_decode_options_init(ravel_decode_options* options);
+void ravel_decode_options_init(ravel_decode_options* options, size_t struct_size);
 
 /* The size query: reads the heads of a file, unpacks nothing. Takes time and memory of the heads
  * only. A file that passes may still be corrupt behind its heads. */
@@ -185,7 +186,7 @@ typedef struct ravel_buffers {
     void* strip_position;
     size_t strip_position_size;
 } ravel_buffers;
-void ravel_buffers_init(ravel_buffers* buffers);
+void ravel_buffers_init(ravel_buffers* buffers, size_t struct_size);
 int ravel_decode_into(const void* bytes, size_t size, const ravel_decode_options* options,
                       const ravel_buffers* buffers, ravel_error* error);
 
@@ -301,7 +302,7 @@ typedef struct ravel_encode_options {
     double max_error_relative; /* as max_error, in diagonals of the bounding box */
     double lattice; /* a power of two: coordinates become multiples of it, alike in every mesh */
 } ravel_encode_options;
-void ravel_encode_options_init(ravel_encode_options* options);
+void ravel_encode_options_init(ravel_encode_options* options, size_t struct_size);
 
 typedef struct ravel_packed ravel_packed;
 

@@ -19,7 +19,7 @@ int main(int count, char** words) {
         printf("%s: %s\n", ravel_code_name(error.code), error.sentence);
         return 4;
     }
-    ravel_summary_init(&holds);
+    ravel_summary_init(&holds, sizeof holds);
     ravel_mesh_summary(mesh, &holds, NULL);
     printf("%u points, %u cells\n", (unsigned)holds.points, (unsigned)holds.cells);
     ravel_mesh_free(mesh);

@@ -8,7 +8,7 @@ from ctypes import POINTER, Structure, byref, c_char, c_char_p, c_double, c_int,
 
 import numpy as np
 
-ABI = 1
+ABI = 2
 NO_INDEX = 2**64 - 1
 SCALARS = [np.dtype(name) for name in ("u1", "i1", "u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8")]
 PLACES = ("point", "corner", "cell", "companion", "mesh")
@@ -86,8 +86,8 @@ _SIGNATURES = {
     "ravel_abi": (c_uint32, []),
     "ravel_code_name": (c_char_p, [c_int]),
     "ravel_inspect": (c_int, [c_void_p, c_size_t, POINTER(Summary), _E]),
-    "ravel_summary_init": (None, [POINTER(Summary)]),
-    "ravel_decode_options_init": (None, [POINTER(DecodeOptions)]),
+    "ravel_summary_init": (None, [POINTER(Summary), c_size_t]),
+    "ravel_decode_options_init": (None, [POINTER(DecodeOptions), c_size_t]),
     "ravel_decode": (c_int, [c_void_p, c_size_t, POINTER(DecodeOptions), POINTER(c_void_p), _E]),
     "ravel_mesh_free": (None, [c_void_p]),
     "ravel_mesh_summary": (c_int, [c_void_p, POINTER(Summary), _E]),
@@ -105,7 +105,7 @@ _SIGNATURES = {
     "ravel_mesh_add_attribute": (c_int, [c_void_p, c_char_p, c_int, _A, _A, _E]),
     "ravel_mesh_add_tag_name": (c_int, [c_void_p, c_char_p, c_int32, c_int64, c_char_p, _E]),
     "ravel_mesh_add_note": (c_int, [c_void_p, c_char_p, c_char_p, _E]),
-    "ravel_encode_options_init": (None, [POINTER(EncodeOptions)]),
+    "ravel_encode_options_init": (None, [POINTER(EncodeOptions), c_size_t]),
     "ravel_encode": (c_int, [c_void_p, POINTER(EncodeOptions), POINTER(c_void_p), _E]),
     "ravel_packed_free": (None, [c_void_p]),
     "ravel_packed_array": (c_int, [c_void_p, c_int, _A, _E]),

@@ -1,7 +1,7 @@
 """Files to meshes."""
 
 import os
-from ctypes import byref, c_void_p
+from ctypes import byref, c_void_p, sizeof
 from typing import NamedTuple
 
 import numpy as np
@@ -36,7 +36,7 @@ def info(source):
     """Reads the heads of a file (a path or a binary stream), unpacks nothing."""
     data = _bytes_of(source)
     summary = lib.Summary()
-    lib.library().ravel_summary_init(byref(summary))
+    lib.library().ravel_summary_init(byref(summary), sizeof(summary))
     lib.call("ravel_inspect", data, len(data), byref(summary))
     return Info(("polygon", "tet")[summary.kind], summary.points, summary.cells, summary.components, summary.links,
                 bool(summary.keeps_order), bool(summary.exact_positions), summary.position_bound, summary.position_error,
@@ -53,7 +53,7 @@ def loads(data, *, strip=False, memory_limit=None):
     """The same, from bytes."""
     data = bytes(data)
     options = lib.DecodeOptions()
-    lib.library().ravel_decode_options_init(byref(options))
+    lib.library().ravel_decode_options_init(byref(options), sizeof(options))
     options.strip = strip
     if memory_limit is not None:
         options.memory_limit = memory_limit
@@ -88,7 +88,7 @@ def _expanded(values, index):
 
 def _mesh_of(handle, with_strip):
     summary = lib.Summary()
-    lib.library().ravel_summary_init(byref(summary))
+    lib.library().ravel_summary_init(byref(summary), sizeof(summary))
     lib.call("ravel_mesh_summary", handle, byref(summary))
     corners = _indices(handle, lib.CORNERS)
     if summary.kind == 1:

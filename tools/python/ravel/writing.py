@@ -2,7 +2,7 @@
 
 import os
 import tempfile
-from ctypes import byref, c_void_p
+from ctypes import byref, c_void_p, sizeof
 from typing import NamedTuple
 
 import numpy as np
@@ -88,7 +88,7 @@ def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, c
         for key, text in notes:
             lib.call("ravel_mesh_add_note", mesh, _text(key), _text(text))
         options = lib.EncodeOptions()
-        pack.ravel_encode_options_init(byref(options))
+        pack.ravel_encode_options_init(byref(options), sizeof(options))
         options.position_bits, options.max_error = position_bits or 0, max_error or 0
         options.max_error_relative, options.lattice = max_error_relative or 0, lattice or 0
         options.float32, options.keep_order = float32, keep_order
