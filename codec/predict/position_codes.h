@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,7 +20,7 @@
 
 namespace ravel {
 
-inline constexpr std::size_t kLevelStencil = 7, kLevelLanes = 8;
+inline constexpr std::size_t kLevelStencil = 7;
 
 struct PositionFormat {
     NumberFormat numbers;
@@ -359,25 +358,25 @@ class PositionCodes {
     }
     bool code_level(const Stencil& stencil, std::size_t axis, std::int64_t guess,
                     const Number& truth) {
-        // Pairs at distance 1, 2, ... all at once: each of the first counts those after it that are
-        // equal to it. What is beyond the last equals nothing.
-        constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-        std::array<double, 2 * kLevelLanes> x;
-        x.fill(kNothing);
-        for (std::size_t i = 0; i < level_count_; ++i) x[i] = values_[level_id_[i]][axis];
-        std::array<std::int64_t, kLevelLanes> votes;
-        votes.fill(1);
-        for (std::size_t way = 1; way < kLevelStencil; ++way)
-            for (std::size_t i = 0; i < kLevelLanes; ++i) votes[i] += x[i] == x[i + way];
-        std::int64_t most = 1;
-        for (std::size_t i = 0; i < kLevelLanes; ++i)
-            if (votes[i] > most) most = votes[i], level_vertex_ = level_id_[i];
+        const std::size_t n = level_count_;
+        std::array<double, kLevelStencil> x;
+        for (std::size_t i = 0; i < n; ++i) x[i] = values_[level_id_[i]][axis];
+        // The coordinate that most share, the first of these. Done where fewer are left.
+        std::uint32_t most = 1;
+        std::size_t left = n;
+        for (std::size_t i = 0; left > most; ++i) {
+            std::uint32_t votes = 0;
+            for (std::size_t j = 0; j < i && votes == 0; ++j) votes = x[j] == x[i];
+            if (votes > 0) continue;
+            for (std::size_t j = i; j < n; ++j) votes += x[j] == x[i];
+            if (votes > most) most = votes, level_vertex_ = level_id_[i];
+            left -= votes;
+        }
         if (most < 2) return false;
         const double level = values_[level_vertex_][axis];
         const bool same = coder_.flag(
-            ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration),
-                                       static_cast<std::uint32_t>(most), level_[axis],
-                                       guess == static_cast<std::int64_t>(level)),
+            ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration), most,
+                                       level_[axis], guess == static_cast<std::int64_t>(level)),
             Coder::kWrites && is(truth, level));
         level_[axis] = (level_[axis] << 1 | (same ? 1u : 0u)) & 3;
         return same;
@@ -458,7 +457,7 @@ class PositionCodes {
     std::uint64_t without_ = 0;  // vertices since an echo served
     std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
     std::array<std::uint32_t, 3> level_{};
-    std::array<Id, kLevelLanes> level_id_{};
+    std::array<Id, kLevelStencil> level_id_{};
     std::size_t level_count_ = 0;
     Id level_vertex_ = 0, prior_ = kNone;
     std::array<bool, 3> minus_zero_{}, was_zero_{};
