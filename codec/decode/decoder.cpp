@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "decode/attributes.h"
 #include "decode/file.h"
 #include "decode/payload.h"
 #include "decode/walk_driver.h"
@@ -20,6 +21,11 @@ namespace {
 
 const Section& section_of(const FileSections& file, SectionId id) {
     return file.sections[static_cast<std::size_t>(id)];
+}
+
+bool has_point_values(const Head& head) {
+    return std::any_of(head.attributes.begin(), head.attributes.end(),
+                       [](const AttributeHead& a) { return a.place == Place::point; });
 }
 
 // The most a block's own arrays can take, from its head alone.
@@ -161,8 +167,9 @@ Status run_walk(DecodeDriver& driver, const WalkLimits& limits, std::uint64_t at
     return Done{};
 }
 
+// `stencils`: of the points that cells have, if values at points are guessed from them.
 Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes& position_bytes,
-                       DecodedWalk& out) {
+                       DecodedWalk& out, std::vector<Stencil>& stencils) {
     const BlockHead& block = file.block;
     const Section& section = section_of(file, SectionId::positions);
     ByteReader in(position_bytes, section.at);
@@ -200,7 +207,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
                         tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies,
-                        block.has_flips);
+                        block.has_flips, has_point_values(file.head));
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
@@ -226,6 +233,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     if (!driver.finished())
         return Error{Code::corrupt, at, "connectivity or positions are longer than the walk"};
     out.flipped = driver.flipped();
+    stencils = driver.take_stencils();
     out.mesh.kind = file.head.kind;
     out.mesh.positions = positions_of(file.head, positions, copy_of, own + block.unused_points);
     write_cells(out.walked, out.point, out.flipped, out.mesh);
@@ -276,9 +284,10 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     if (!positions) return positions.error();
 
     DecodedWalk out;
+    std::vector<Stencil> stencils;
     out.wants_mending = file.block.wants_mending;
     out.links = file.block.links;
-    if (Status status = decode_geometry(file, *codes, *positions, out); !status)
+    if (Status status = decode_geometry(file, *codes, *positions, out, stencils); !status)
         return status.error();
     Mesh& mesh = out.mesh;
     if ((file.block.companions > 0) !=
@@ -293,9 +302,10 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     });
     if (!status) return status.error();
     if (status = charge_indices(file, mesh, budget); !status) return status.error();
+    const Ground<Walked> ground{out.walked, mesh, out.point, out.flipped, stencils};
     status = decode_section(
         file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
-        [&](ByteReader& in) { return read_attributes(in, file.head.attributes, mesh); });
+        [&](ByteReader& in) { return read_attributes(in, file.head, ground, budget, mesh); });
     if (!status) return status.error();
     status = decode_section(file, SectionId::names, budget, 72,
                             [&](ByteReader& in) { return read_names(in, mesh); });

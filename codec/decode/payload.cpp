@@ -1,9 +1,6 @@
 #include "decode/payload.h"
 
 #include <algorithm>
-
-#include "predict/array_planes.h"
-
 namespace ravel {
 namespace {
 
@@ -68,34 +65,6 @@ Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
                     return corrupt(in, "a companion names a cell that does not exist");
         }
         mesh.companions.push_back(std::move(block));
-    }
-    return check_end(in);
-}
-
-Status read_attributes(ByteReader& in, const std::vector<AttributeHead>& heads, Mesh& mesh) {
-    mesh.attributes.reserve(heads.size());
-    for (const AttributeHead& head : heads) {
-        Attribute attribute;
-        attribute.name = head.name;
-        attribute.place = head.place;
-        const Index elements = element_count(mesh, head.place);
-        if (head.indexed && head.place != Place::mesh) {
-            if (elements > in.left())
-                return corrupt(in, "an attribute has fewer indices than elements");
-            attribute.index.resize(elements);
-            DeltaReader index(in);
-            for (Index& i : attribute.index)
-                if ((i = index.next()) != kNoIndex && i >= head.tuples)
-                    return corrupt(in, "an attribute refers to a tuple that does not exist");
-        } else if (head.place != Place::mesh && head.tuples != elements) {
-            return corrupt(in, "an attribute has not one tuple per element");
-        }
-        const std::uint64_t stride = std::uint64_t{head.arity} * size_of(head.scalar);
-        if (head.tuples > in.left() / stride)
-            return corrupt(in, "an attribute has fewer bytes than tuples");
-        attribute.values = array_of_planes(head.scalar, head.arity, in.raw(head.tuples * stride));
-        attribute.references = head.references;
-        mesh.attributes.push_back(std::move(attribute));
     }
     return check_end(in);
 }

@@ -29,7 +29,8 @@ class DecodeDriver {
   public:
     DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
                  const FlagDecoder& position_bits, std::vector<FlagModel> models, Context copy,
-                 Context copy_number, Context flip, bool has_copies, bool has_flips)
+                 Context copy_number, Context flip, bool has_copies, bool has_flips,
+                 bool keeps_stencils)
         : in_(codes),
           positions_(positions),
           position_bits_(position_bits),
@@ -39,7 +40,8 @@ class DecodeDriver {
           flip_(flip),
           has_copies_(has_copies),
           has_flips_(has_flips),
-          has_stand_ins_(positions.format().has_stand_ins) {}
+          has_stand_ins_(positions.format().has_stand_ins),
+          keeps_stencils_(keeps_stencils) {}
 
     bool flag(Context context, bool) { return in_.flag(models_[context]); }
     std::uint64_t number(Context base, std::uint64_t) {
@@ -68,6 +70,8 @@ class DecodeDriver {
     // Per vertex the earlier one at the same point, or kNone; empty where there are no copies.
     const std::vector<Id>& copy_of() const { return copy_of_; }
     const std::vector<std::uint8_t>& flipped() const { return flipped_; }
+    // Of the vertices that are no copies, where they are kept.
+    std::vector<Stencil> take_stencils() { return std::move(stencils_); }
 
     Id degree() const { return 0; }
     bool zips(Id) const { return false; }
@@ -95,10 +99,12 @@ class DecodeDriver {
             last_copied_ = of;
         }
         if (has_copies_) copy_of_.push_back(of);
-        if (of != kNone)
+        if (of != kNone) {
             positions_.copy(of);
-        else if (!positions_.next(stencil, {}, false))
-            bad_ = true;
+            return;
+        }
+        if (!positions_.next(stencil, {}, false)) bad_ = true;
+        if (keeps_stencils_) stencils_.push_back(stencil);
     }
 
     FlagDecoder in_;
@@ -106,7 +112,8 @@ class DecodeDriver {
     const FlagDecoder& position_bits_;
     std::vector<FlagModel> models_;
     const Context copy_, copy_number_, flip_;
-    const bool has_copies_, has_flips_, has_stand_ins_;
+    const bool has_copies_, has_flips_, has_stand_ins_, keeps_stencils_;
+    std::vector<Stencil> stencils_;
     std::vector<Point3> places_;
     std::vector<Id> copy_of_;
     std::vector<std::uint8_t> flipped_;

@@ -5,10 +5,12 @@
 
 #include "container/head.h"
 #include "container/sections.h"
+#include "encode/attributes.h"
 #include "encode/course.h"
 #include "encode/order.h"
 #include "encode/payload.h"
 #include "encode/positions.h"
+#include "encode/strip_mesh.h"
 #include "entropy/pack.h"
 #include "entropy/priors.h"
 #include "ravel/ravel.h"
@@ -115,6 +117,9 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     encoded.position_error = plan->error;
     encoded.order = maps_of(order, mesh, options.keep_order);
 
+    const StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, *plan);
+    const Ground<Walked> ground = on_strip.ground(course.walked);
+
     ByteWriter out;
     out.raw(kMagic);
     out.u8(kVersion);
@@ -131,8 +136,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const std::vector<Index> new_cell = inverse_of(order.old_cell, mesh.cell_count());
     if (!mesh.companions.empty())
         section(SectionId::companions, write_companions(mesh, order, new_point, new_cell));
-    if (!mesh.attributes.empty())
-        section(SectionId::attributes, write_attributes(mesh, order, new_point, new_cell));
+    if (!mesh.attributes.empty()) section(SectionId::attributes, write_attributes(ground));
     if (!mesh.tag_names.empty() || !mesh.notes.empty())
         section(SectionId::names, write_names(mesh));
     if (options.keep_order) section(SectionId::order, write_order(order));

@@ -190,7 +190,7 @@ std::optional<Number> number_of(const NumberFormat& format, double x, Scalar sca
 
 NumberFormat choose_numbers(const Array& positions) {
     constexpr std::size_t kMostSamples = 200000;
-    const std::size_t values = 3 * positions.count();
+    const std::size_t values = positions.arity * positions.count();
     const std::size_t stride = values / kMostSamples + 1;
     const bool narrow = positions.scalar == Scalar::f32;
     const auto at = [&](std::size_t i) {

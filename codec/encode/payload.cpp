@@ -1,7 +1,5 @@
 #include "encode/payload.h"
 
-#include "predict/array_planes.h"
-
 namespace ravel {
 namespace {
 
@@ -19,33 +17,7 @@ class DeltaWriter {
     Index last_ = 0;
 };
 
-Index first_corner(const Mesh& mesh, Index cell) {
-    return mesh.kind == CellKind::tet ? 4 * cell : mesh.corner_begin[cell];
-}
-
-// new element -> old element, for the places that move; empty for the others.
-std::vector<Index> old_elements(const Mesh& mesh, const Reorder& order, Place place) {
-    if (place == Place::point) return order.old_point;
-    if (place == Place::cell) return order.old_cell;
-    std::vector<Index> old;
-    if (place != Place::corner) return old;
-    old.reserve(mesh.corners.size());
-    for (std::size_t c = 0; c < order.old_cell.size(); ++c) {
-        const Index cell = order.old_cell[c];
-        const auto degree = static_cast<std::uint32_t>(mesh.cell(cell).size());
-        for (std::uint32_t i = 0; i < degree; ++i)
-            old.push_back(first_corner(mesh, cell) +
-                          old_corner(mesh.kind, order.turn[c], degree, i));
-    }
-    return old;
-}
-
 }  // namespace
-
-bool is_pool(const Mesh& mesh, const Attribute& attribute) {
-    return !attribute.index.empty() ||
-           (attribute.place != Place::mesh && element_count(mesh, attribute.place) == 0);
-}
 
 Bytes write_companions(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
                        const std::vector<Index>& new_cell) {
@@ -70,31 +42,6 @@ Bytes write_companions(const Mesh& mesh, const Reorder& order, const std::vector
         }
         DeltaWriter hosts(out);
         for (const Index host : block.hosts) hosts.put(new_cell[host]);
-    }
-    return out.take();
-}
-
-Bytes write_attributes(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
-                       const std::vector<Index>& new_cell) {
-    ByteWriter out;
-    Attribute renumbered;
-    for (const Attribute& given : mesh.attributes) {
-        if (!given.references.empty()) {
-            renumbered = given;
-            renumber(renumbered, new_point, new_cell);
-        }
-        const Attribute& attribute = given.references.empty() ? given : renumbered;
-        const std::vector<Index> old = old_elements(mesh, order, attribute.place);
-        const bool moves = attribute.place == Place::point || attribute.place == Place::cell ||
-                           attribute.place == Place::corner;
-        if (!is_pool(mesh, attribute)) {
-            out.raw(planes_of(moves ? gather(attribute.values, old) : attribute.values));
-        } else {
-            DeltaWriter index(out);
-            for (std::size_t i = 0; i < attribute.index.size(); ++i)
-                index.put(attribute.index[moves ? old[i] : i]);
-            out.raw(planes_of(attribute.values));
-        }
     }
     return out.take();
 }

@@ -6,12 +6,7 @@
 
 namespace ravel {
 
-// Are the values a pool that elements refer to by index?
-bool is_pool(const Mesh& mesh, const Attribute& attribute);
-
 Bytes write_companions(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
-                       const std::vector<Index>& new_cell);
-Bytes write_attributes(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
                        const std::vector<Index>& new_cell);
 Bytes write_names(const Mesh& mesh);
 Bytes write_order(const Reorder& order);

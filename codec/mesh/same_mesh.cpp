@@ -175,18 +175,40 @@ class Comparer {
             map = &corner_;
         }
         if (map != nullptr && map->empty()) map = nullptr;  // a pool that nothing refers to
-        if (!x.index.empty()) {
-            if (x.values.bytes != y.values.bytes) return false;
-            for (Index i = 0; i < x.index.size(); ++i)
-                if (x.index[i] != y.index[map != nullptr ? (*map)[i] : i]) return false;
-            return true;
-        }
-        const std::size_t stride = x.values.stride();
+        if (!x.index.empty()) return same_pool(x, y, map);
         for (Index i = 0; i < x.values.count(); ++i)
-            if (std::memcmp(x.values.bytes.data() + i * stride,
-                            y.values.bytes.data() + (map != nullptr ? (*map)[i] : i) * stride,
-                            stride) != 0)
-                return false;
+            if (!same_tuple(x, i, y, map != nullptr ? (*map)[i] : i)) return false;
+        return true;
+    }
+
+    static bool same_tuple(const Attribute& x, Index i, const Attribute& y, Index j) {
+        const std::size_t stride = x.values.stride();
+        return std::memcmp(x.values.bytes.data() + i * stride, y.values.bytes.data() + j * stride,
+                           stride) == 0;
+    }
+
+    // The same tuple wherever it was the same, each with its values; those that no element has in
+    // their order.
+    static bool same_pool(const Attribute& x, const Attribute& y, const std::vector<Index>* map) {
+        const Index tuples = x.values.count();
+        std::vector<Index> there(tuples, kNoIndex), back(tuples, kNoIndex);
+        for (Index e = 0; e < x.index.size(); ++e) {
+            const Index i = x.index[e], j = y.index[map != nullptr ? (*map)[e] : e];
+            if (i == kNoIndex || j == kNoIndex) {
+                if (i != j) return false;
+                continue;
+            }
+            if (j >= tuples) return false;
+            if (there[i] == kNoIndex && back[j] == kNoIndex) there[i] = j, back[j] = i;
+            if (there[i] != j || back[j] != i) return false;
+        }
+        for (Index i = 0, j = 0; i < tuples; ++i) {
+            if (there[i] == kNoIndex) {
+                while (back[j] != kNoIndex) ++j;
+                there[i] = j++;
+            }
+            if (!same_tuple(x, i, y, there[i])) return false;
+        }
         return true;
     }
 

@@ -1,0 +1,167 @@
+#include "decode/attributes.h"
+
+#include <memory>
+
+#include "decode/walk_driver.h"
+#include "mesh/reorder.h"
+#include "predict/array_planes.h"
+#include "predict/attribute_coding.h"
+#include "predict/cell_graph.h"
+#include "predict/points_around.h"
+#include "predict/value_codes.h"
+
+namespace ravel {
+namespace {
+
+class Reader {
+  public:
+    Reader(ByteReader& in, const Head& head, const Ground<Walked>& ground, std::uint64_t& budget,
+           Mesh& mesh)
+        : in_(in), head_(head), ground_(ground), budget_(budget), mesh_(mesh) {}
+
+    Status run() {
+        std::vector<AttributeCoding> codings(head_.attributes.size());
+        for (std::size_t i = 0; i < codings.size(); ++i)
+            if (Status status = read_head_of(head_.attributes[i], codings[i]); !status)
+                return status;
+        mesh_.attributes.resize(codings.size());
+        for (std::size_t i = 0; i < codings.size(); ++i)
+            if (Status status = read_planes_of(i, codings[i]); !status) return status;
+        FlagDecoder bits(in_.raw(in_.left()));
+        for (std::size_t i = 0; i < codings.size(); ++i)
+            if (Status status = read_bits_of(bits, i, codings[i]); !status) return status;
+        if (!bits.finished()) return corrupt("the attributes end too early or too late");
+        return Done{};
+    }
+
+  private:
+    using Tuples = AttributeCoding::Tuples;
+
+    Error corrupt(const char* why) const { return {Code::corrupt, in_.at(), why}; }
+
+    Status read_head_of(const AttributeHead& head, AttributeCoding& coding) {
+        const bool indexed = head.indexed && head.place != Place::mesh;
+        if (!read_coding(in_, coding, indexed, head.scalar) || coding.old_order)
+            return corrupt("an attribute is coded in a way this version does not know");
+        const Index elements = element_count(mesh_, head.place);
+        const bool small = elements < kNone - 1 && head.tuples < kNone - 1;
+        const bool sane = indexed                     ? coding.tuples != Tuples::own
+                          : head.place == Place::mesh ? coding.tuples == Tuples::own
+                                                      : head.tuples == elements;
+        if (!sane || (!small && (coding.tuples != Tuples::own || !coding.planes)) ||
+            (coding.tuples == Tuples::flooded && head.place != Place::cell) ||
+            (!indexed && coding.pool > elements) || (coding.field.unit_length && head.arity != 3))
+            return corrupt("an attribute has not one tuple per element, or what it can't have");
+        return Done{};
+    }
+
+    // Tuples that are stored: of the pool, or of all elements.
+    static Index stored(const AttributeHead& head, const AttributeCoding& coding) {
+        return head.indexed || coding.tuples == Tuples::own ? head.tuples : coding.pool;
+    }
+
+    Status read_planes_of(std::size_t i, const AttributeCoding& coding) {
+        const AttributeHead& head = head_.attributes[i];
+        Attribute& attribute = mesh_.attributes[i];
+        attribute.name = head.name;
+        attribute.place = head.place;
+        attribute.references = head.references;
+        attribute.values = {head.scalar, head.arity, {}};
+        if (!coding.planes) return Done{};
+        const std::uint64_t stride = attribute.values.stride(), tuples = stored(head, coding);
+        if (tuples > in_.left() / stride)
+            return corrupt("an attribute has fewer bytes than tuples");
+        attribute.values = array_of_planes(head.scalar, head.arity, in_.raw(tuples * stride));
+        return Done{};
+    }
+
+    Status charge(Index count, std::uint64_t each) {
+        if (count > budget_ / each)
+            return Error{Code::limit_exceeded, in_.at(),
+                         "the attributes need more memory than allowed"};
+        budget_ -= count * each;
+        return Done{};
+    }
+
+    const Around& around(Place place) {
+        if (place == Place::point && !points_)
+            points_ = std::make_unique<PointsAround<Walked>>(ground_);
+        if (place == Place::cell && !cells_)
+            cells_ = std::make_unique<CellsAround<Walked>>(ground_);
+        return place == Place::point  ? *points_
+               : place == Place::cell ? *cells_
+                                      : static_cast<const Around&>(in_order_);
+    }
+    CellGraph<Walked>& graph() {
+        if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_);
+        return *graph_;
+    }
+
+    Status read_bits_of(FlagDecoder& bits, std::size_t i, const AttributeCoding& coding) {
+        const AttributeHead& head = head_.attributes[i];
+        Attribute& attribute = mesh_.attributes[i];
+        Array& values = attribute.values;
+        if (coding.tuples == Tuples::own && coding.planes) return Done{};
+        const Index elements = element_count(mesh_, head.place);
+        const bool indexed = head.indexed && head.place != Place::mesh;
+        const Index count = stored(head, coding);
+        const std::uint64_t stride = values.stride(), copies = head_.keeps_order ? 3 : 2;
+        // Numbers and sizes of residuals are held beside the values while they are read.
+        Status status = charge(count, coding.planes ? 1 : stride * copies + 13 * head.arity + 12);
+        if (status && coding.tuples != Tuples::own) status = charge(elements, 24);
+        if (status && !indexed && coding.tuples != Tuples::own)
+            status = charge(elements, stride * copies);
+        if (!status) return status;
+        ReadingCoder coder{
+            bits, models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen)};
+        std::vector<Id> tuple;
+        const Around& beside = around(head.place);
+        if (coding.tuples != Tuples::own) {
+            tuple.assign(elements, 0);
+            TupleCodes<ReadingCoder> codes(coder, static_cast<Id>(count), indexed);
+            // One tuple that all have needs no words.
+            const bool all_alike = !indexed && count == 1;
+            const bool sane =
+                all_alike || (coding.tuples == Tuples::flooded ? flood(coder, codes, graph(), tuple)
+                                                               : code_tuples(codes, beside, tuple));
+            if (!sane || bits.exhausted() || (!indexed && !all_alike && codes.used() != count))
+                return corrupt("an attribute refers to a tuple that does not exist");
+        }
+        if (!coding.planes) {
+            values = make_array(head.scalar, head.arity, count);
+            const PoolAround pool(beside, tuple);
+            if (!code_values(coder, coding.field, coding.tuples == Tuples::own ? beside : pool,
+                             values, {}) ||
+                bits.exhausted())
+                return corrupt("the values of an attribute make no sense");
+        }
+        if (indexed) {
+            attribute.index.resize(elements);
+            for (Index e = 0; e < elements; ++e)
+                attribute.index[e] = tuple[e] == kNone ? kNoIndex : tuple[e];
+        } else if (coding.tuples != Tuples::own) {
+            std::vector<Index> from(tuple.begin(), tuple.end());
+            values = gather(values, from);
+        }
+        return Done{};
+    }
+
+    ByteReader& in_;
+    const Head& head_;
+    const Ground<Walked>& ground_;
+    std::uint64_t& budget_;
+    Mesh& mesh_;
+    InOrder in_order_;
+    std::unique_ptr<PointsAround<Walked>> points_;
+    std::unique_ptr<CellsAround<Walked>> cells_;
+    std::unique_ptr<CellGraph<Walked>> graph_;
+};
+
+}  // namespace
+
+Status read_attributes(ByteReader& in, const Head& head, const Ground<Walked>& ground,
+                       std::uint64_t& budget, Mesh& mesh) {
+    return Reader(in, head, ground, budget, mesh).run();
+}
+
+}  // namespace ravel

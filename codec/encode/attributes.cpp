@@ -1,0 +1,194 @@
+#include "encode/attributes.h"
+
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "encode/bits_writer.h"
+#include "encode/field_plan.h"
+#include "mesh/reorder.h"
+#include "predict/array_planes.h"
+#include "predict/cell_graph.h"
+#include "predict/points_around.h"
+
+namespace ravel {
+namespace {
+
+using Tuples = AttributeCoding::Tuples;
+
+// Elements that have a tuple in common with others.
+struct Sharing {
+    std::vector<Id> tuple;       // per element; numbers of the given pool, or by first use
+    std::vector<Index> sources;  // number -> tuple of the given values that has it
+};
+
+Sharing sharing_of(const Attribute& attribute, bool pool) {
+    Sharing s;
+    if (pool) {
+        for (const Index i : attribute.index)
+            s.tuple.push_back(i == kNoIndex ? kNone : static_cast<Id>(i));
+        for (Index t = 0; t < attribute.values.count(); ++t) s.sources.push_back(t);
+        return s;
+    }
+    const Array& values = attribute.values;
+    const std::size_t stride = values.stride();
+    std::map<std::string_view, Id> known;
+    for (std::size_t e = 0; e < values.count(); ++e) {
+        const std::string_view bytes(
+            reinterpret_cast<const char*>(values.bytes.data()) + e * stride, stride);
+        const auto [at, fresh] = known.emplace(bytes, static_cast<Id>(known.size()));
+        if (fresh) s.sources.push_back(e);
+        s.tuple.push_back(at->second);
+    }
+    return s;
+}
+
+// Everything that one attribute puts into the section.
+struct Plan {
+    AttributeCoding coding;
+    std::vector<Id> tuple;  // as in Sharing
+    Array values;           // that are stored, in their order
+    FieldTruth truth;
+};
+
+class Writer {
+  public:
+    explicit Writer(const Ground<Walked>& ground) : ground_(ground), mesh_(ground.mesh) {}
+
+    Bytes run() {
+        ByteWriter out, planes;
+        FlagEncoder bits;
+        for (const Attribute& attribute : mesh_.attributes) {
+            Plan p = plan(attribute);
+            if (p.coding.planes)
+                planes.raw(planes_of(p.values));
+            else
+                p.truth = truth_of(p.values, p.coding.field);
+            write_coding(out, p.coding, is_pool(mesh_, attribute));
+            write_bits(bits, attribute, p);
+        }
+        out.raw(planes.bytes());
+        out.raw(bits.finish());
+        return out.take();
+    }
+
+  private:
+    const Around& around(Place place) {
+        if (place == Place::point && !points_)
+            points_ = std::make_unique<PointsAround<Walked>>(ground_);
+        if (place == Place::cell && !cells_)
+            cells_ = std::make_unique<CellsAround<Walked>>(ground_);
+        return place == Place::point  ? *points_
+               : place == Place::cell ? *cells_
+                                      : static_cast<const Around&>(in_order_);
+    }
+    CellGraph<Walked>& graph() {
+        if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_);
+        return *graph_;
+    }
+
+    // Codes which tuple each element has; `tuple` then has numbers by use. Returns how many.
+    Id code_sharing(BitsWriter& coder, const Attribute& attribute, Tuples how, Id most, bool pool,
+                    FloodGraph& graph, std::vector<Id>& tuple) {
+        TupleCodes<BitsWriter> codes(coder, most, pool);
+        if (how == Tuples::flooded)
+            flood(coder, codes, graph, tuple);
+        else
+            code_tuples(codes, around(attribute.place), tuple);
+        return codes.used();
+    }
+
+    // The tuples in the order of their use, then those that are not used.
+    static Array in_order_of_use(const Array& values, const Sharing& sharing,
+                                 const std::vector<Id>& by_use) {
+        std::vector<Index> from(sharing.sources.size(), kNoIndex), rest;
+        std::vector<bool> used(sharing.sources.size(), false);
+        for (std::size_t e = 0; e < by_use.size(); ++e) {
+            if (by_use[e] == kNone) continue;
+            from[by_use[e]] = sharing.sources[sharing.tuple[e]];
+            used[sharing.tuple[e]] = true;
+        }
+        std::size_t next = 0;
+        for (const bool u : used) next += u;
+        for (std::size_t t = 0; t < used.size(); ++t)
+            if (!used[t]) from[next++] = sharing.sources[t];
+        return gather(values, from);
+    }
+
+    Plan plan(const Attribute& attribute) {
+        const bool pool = is_pool(mesh_, attribute);
+        const Array& values = attribute.values;
+        Plan best;
+        best.values = values;
+        const bool small =
+            element_count(mesh_, attribute.place) < kNone - 1 && values.count() < kNone - 1;
+        if (!small && !pool) return best;
+        std::size_t least = 0;
+        if (!pool) {
+            const FieldPlan own = plan_field(values, around(attribute.place));
+            best.coding.planes = own.planes;
+            best.coding.field = own.format;
+            least = own.bytes;
+            if (attribute.place == Place::mesh) return best;
+        }
+        const Sharing sharing = sharing_of(attribute, pool);
+        const auto tuples = static_cast<Id>(sharing.sources.size());
+        if (!pool && 2 * std::size_t{tuples} > sharing.tuple.size()) return best;
+        bool first = pool;
+        for (const Tuples how : {Tuples::in_order, Tuples::flooded}) {
+            if (how == Tuples::flooded && attribute.place != Place::cell) continue;
+            CellGraph<Walked> trial(ground_);
+            if (how == Tuples::flooded) trial.remember(graph());
+            std::vector<Id> by_use = sharing.tuple;
+            FlagEncoder bits;
+            BitsWriter coder{bits};
+            if (pool || tuples > 1)
+                code_sharing(coder, attribute, how, tuples, pool, trial, by_use);
+            Array stored = in_order_of_use(values, sharing, by_use);
+            const PoolAround tuples_around(around(attribute.place), by_use);
+            const FieldPlan field = plan_field(stored, tuples_around);
+            const std::size_t bytes = bits.finish().size() + field.bytes;
+            if (!first && bytes >= least) continue;
+            first = false;
+            least = bytes;
+            best = {{how, field.planes, false, tuples, field.format},
+                    sharing.tuple,
+                    std::move(stored),
+                    {}};
+        }
+        return best;
+    }
+
+    void write_bits(FlagEncoder& bits, const Attribute& attribute, Plan& plan) {
+        const AttributeCoding& coding = plan.coding;
+        BitsWriter coder{bits};
+        const bool pool = is_pool(mesh_, attribute);
+        if (coding.tuples != Tuples::own && (pool || coding.pool != 1))
+            code_sharing(coder, attribute, coding.tuples, coding.pool, pool, graph(), plan.tuple);
+        if (coding.planes) return;
+        const Around& elements = around(attribute.place);
+        const PoolAround tuples(elements, plan.tuple);
+        code_values(coder, coding.field, coding.tuples == Tuples::own ? elements : tuples,
+                    plan.values, plan.truth);
+    }
+
+    const Ground<Walked>& ground_;
+    const Mesh& mesh_;
+    InOrder in_order_;
+    std::unique_ptr<PointsAround<Walked>> points_;
+    std::unique_ptr<CellsAround<Walked>> cells_;
+    std::unique_ptr<CellGraph<Walked>> graph_;
+};
+
+}  // namespace
+
+bool is_pool(const Mesh& mesh, const Attribute& attribute) {
+    return !attribute.index.empty() ||
+           (attribute.place != Place::mesh && element_count(mesh, attribute.place) == 0);
+}
+
+Bytes write_attributes(const Ground<Walked>& ground) {
+    return Writer(ground).run();
+}
+
+}  // namespace ravel

@@ -1,0 +1,60 @@
+#include "predict/attribute_coding.h"
+
+namespace ravel {
+
+void write_coding(ByteWriter& out, const AttributeCoding& coding, bool indexed) {
+    const FieldFormat& f = coding.field;
+    out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(coding.tuples) |
+                                     (coding.planes ? 4u : 0u) | (coding.old_order ? 8u : 0u) |
+                                     (coding.planes ? 0u
+                                                    : static_cast<unsigned>(f.guess) << 4 |
+                                                          static_cast<unsigned>(f.numbers) << 6)));
+    if (coding.tuples != AttributeCoding::Tuples::own && !indexed) out.varint(coding.pool);
+    if (coding.planes || f.numbers == FieldNumbers::integer) return;
+    out.u8(static_cast<std::uint8_t>((f.has_outliers ? 1 : 0) | (f.unit_length ? 2 : 0) |
+                                     (f.unit.has_minus_zero ? 4 : 0) |
+                                     (f.unit.base == NumberBase::decimal ? 8 : 0)));
+    if (f.numbers == FieldNumbers::unit) out.varint(zigzag(f.unit.places));
+    if (f.numbers == FieldNumbers::grid) out.f64(f.step);
+}
+
+bool read_coding(ByteReader& in, AttributeCoding& coding, bool indexed, Scalar scalar) {
+    const unsigned kind = in.u8();
+    FieldFormat& f = coding.field;
+    if ((kind & 3) > static_cast<unsigned>(AttributeCoding::Tuples::flooded)) return false;
+    coding.tuples = static_cast<AttributeCoding::Tuples>(kind & 3);
+    coding.planes = (kind & 4) != 0;
+    coding.old_order = (kind & 8) != 0;
+    f.guess = static_cast<Guess>(kind >> 4 & 3);
+    f.numbers = static_cast<FieldNumbers>(kind >> 6);
+    if (coding.planes && kind >> 4 != 0) return false;
+    if (coding.tuples != AttributeCoding::Tuples::own && !indexed) {
+        const std::uint64_t pool = in.varint();
+        if (pool >= kNone - 1) return false;
+        coding.pool = static_cast<Id>(pool);
+    }
+    if (coding.planes) return in.ok();
+    if (is_float(scalar) == (f.numbers == FieldNumbers::integer)) return false;
+    if (f.numbers == FieldNumbers::integer) return in.ok();
+    const unsigned flags = in.u8();
+    f.has_outliers = (flags & 1) != 0;
+    f.unit_length = (flags & 2) != 0;
+    f.unit.has_minus_zero = (flags & 4) != 0;
+    f.unit.base = (flags & 8) != 0 ? NumberBase::decimal : NumberBase::binary;
+    bool sane = flags < 16 && (f.numbers == FieldNumbers::unit || flags < 4) &&
+                (f.numbers != FieldNumbers::image || !f.has_outliers);
+    if (f.numbers == FieldNumbers::unit) {
+        const std::int64_t places = unzigzag(in.varint());
+        const bool decimal = f.unit.base == NumberBase::decimal;
+        sane = sane && places >= (decimal ? 0 : -kMostBinaryPlaces) &&
+               places <= (decimal ? kMostPlaces : kMostBinaryPlaces);
+        f.unit.places = sane ? static_cast<int>(places) : 0;
+    }
+    if (f.numbers == FieldNumbers::grid) {
+        f.step = in.f64();
+        sane = sane && std::isfinite(f.step) && f.step > 0;
+    }
+    return sane && in.ok();
+}
+
+}  // namespace ravel

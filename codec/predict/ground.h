@@ -1,0 +1,95 @@
+// The mesh as both sides know it once connectivity and positions are decoded, before any order is
+// restored: what rides along is coded on it.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "mesh/complex.h"
+#include "mesh/point3.h"
+#include "mesh/stencil.h"
+#include "ravel/mesh.h"
+
+namespace ravel {
+
+// Outward corners of the facet of a tet opposite each corner.
+inline constexpr std::array<std::array<Id, 3>, 4> kOutwardCorners{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+// `Walk` is the visited complex (Walked, see the walk's room): cells, corners and facets in the
+// order of the walk.
+template <class Walk>
+struct Ground {
+    const Walk& walk;
+    const Mesh& mesh;                          // points and cells in the same order
+    const std::vector<Id>& point;              // vertex of the walk -> point
+    const std::vector<std::uint8_t>& flipped;  // per cell; empty where none is
+    const std::vector<Stencil>& stencils;      // per point that a cell has; empty if not needed
+
+    Point3 place_of_point(Index p) const {
+        Point3 place;
+        for (std::size_t k = 0; k < 3; ++k)
+            place[k] = mesh.positions.scalar == Scalar::f32
+                           ? static_cast<double>(mesh.positions.as<float>()[3 * p + k])
+                           : mesh.positions.as<double>()[3 * p + k];
+        return place;
+    }
+    Id point_at(Id corner) const { return point[walk.vertex[corner]]; }
+    Point3 place_of_corner(Id corner) const { return place_of_point(point_at(corner)); }
+    // Of a tet's facet; its length is twice the area.
+    Point3 normal_of(Id facet) const {
+        const Id base = facet & ~Id{3};
+        const auto& corner = kOutwardCorners[facet & 3];
+        const Point3 a = place_of_corner(base + corner[0]);
+        return cross(minus(place_of_corner(base + corner[1]), a),
+                     minus(place_of_corner(base + corner[2]), a));
+    }
+    // Of a polygon's side, from start to end.
+    Point3 way_of(Id side) const {
+        return minus(place_of_corner(walk.next_in_cell(side)), place_of_corner(side));
+    }
+
+    // The corner of the mesh where the walk has `corner`: flipped cells are turned back there.
+    Id mesh_corner(Id corner) const {
+        const Id cell = walk.cell_of(corner), begin = walk.begin(cell);
+        const Id i = corner - begin;
+        if (flipped.empty() || !flipped[cell] || i == 0) return corner;
+        if (walk.kind == CellKind::tet) return i < 2 ? corner : begin + 5 - i;
+        return walk.end(cell) - i;
+    }
+
+    // The facets about an edge of a tet's facet, through cells from that of `facet` on, away from
+    // it: `visit(g)` for each facet g, until it says stop or there is no cell that `enter` lets in.
+    // The edge is the one of `facet` without corner `local` of its cell.
+    template <class Enter, class Visit>
+    void turn_about_edge(Id facet, Id local, const Enter& enter, const Visit& visit) const {
+        constexpr int kMostSteps = 24;
+        Id behind = walk.vertex[facet], g = (facet & ~Id{3}) + local;
+        for (int step = 0; step < kMostSteps && visit(g); ++step) {
+            const Id across = walk.twin[g];
+            if (across == kNone || across / 4 == facet / 4 || !enter(across / 4)) return;
+            const Id base = across & ~Id{3};
+            Id next = base;
+            while (next < base + 4 && walk.vertex[next] != behind) ++next;
+            if (next == base + 4) return;  // no cell an encoder makes
+            behind = walk.vertex[across];
+            g = next;
+        }
+    }
+    // The same about the start (or end) of a polygon's side.
+    template <class Enter, class Visit>
+    void turn_about_end(Id side, bool end, const Enter& enter, const Visit& visit) const {
+        constexpr int kMostSteps = 24;
+        const auto beside = [&](Id f) { return end ? walk.next_in_cell(f) : walk.prev_in_cell(f); };
+        const Id home = walk.cell_of(side);
+        Id g = beside(side);
+        for (int step = 0; step < kMostSteps && visit(g); ++step) {
+            const Id across = walk.twin[g];
+            if (across == kNone || walk.cell_of(across) == home || !enter(walk.cell_of(across)))
+                return;
+            g = beside(across);
+        }
+    }
+};
+
+}  // namespace ravel
