@@ -7,6 +7,7 @@
 #include "predict/array_planes.h"
 #include "predict/attribute_coding.h"
 #include "predict/cell_graph.h"
+#include "predict/companion_graph.h"
 #include "predict/points_around.h"
 #include "predict/value_codes.h"
 
@@ -15,9 +16,9 @@ namespace {
 
 class Reader {
   public:
-    Reader(ByteReader& in, const Head& head, const Ground<Walked>& ground, std::uint64_t& budget,
-           Mesh& mesh)
-        : in_(in), head_(head), ground_(ground), budget_(budget), mesh_(mesh) {}
+    Reader(ByteReader& in, const Head& head, const Ground<Walked>& ground,
+           const std::vector<Id>& marked, std::uint64_t& budget, Mesh& mesh)
+        : in_(in), head_(head), ground_(ground), marked_(marked), budget_(budget), mesh_(mesh) {}
 
     Status run() {
         std::vector<AttributeCoding> codings(head_.attributes.size());
@@ -44,12 +45,13 @@ class Reader {
         if (!read_coding(in_, coding, indexed, head.scalar) || coding.old_order)
             return corrupt("an attribute is coded in a way this version does not know");
         const Index elements = element_count(mesh_, head.place);
-        const bool small = elements < kNone - 1 && head.tuples < kNone - 1;
+        const bool small = elements < kMostElements && head.tuples < kMostElements;
         const bool sane = indexed                     ? coding.tuples != Tuples::own
                           : head.place == Place::mesh ? coding.tuples == Tuples::own
                                                       : head.tuples == elements;
         if (!sane || (!small && (coding.tuples != Tuples::own || !coding.planes)) ||
-            (coding.tuples == Tuples::flooded && head.place != Place::cell) ||
+            (coding.tuples == Tuples::flooded && head.place != Place::cell &&
+             head.place != Place::companion) ||
             (!indexed && coding.pool > elements) || (coding.field.unit_length && head.arity != 3))
             return corrupt("an attribute has not one tuple per element, or what it can't have");
         return Done{};
@@ -83,17 +85,36 @@ class Reader {
         return Done{};
     }
 
+    // What is held about all elements of a place, once.
+    Status charge_ground(Place place) {
+        bool& charged = charged_[static_cast<std::size_t>(place)];
+        if (charged) return Done{};
+        charged = true;
+        if (place == Place::companion) {
+            if (Status status = charge(mesh_.companion_count(), 128); !status) return status;
+            return charge(mesh_.point_count(), 1);
+        }
+        if (place == Place::point) return charge(mesh_.point_count(), 1);
+        return charge(mesh_.corners.size(), place == Place::cell ? 1 : 4);
+    }
+
     const Around& around(Place place) {
         if (place == Place::point && !points_)
             points_ = std::make_unique<PointsAround<Walked>>(ground_);
         if (place == Place::cell && !cells_)
             cells_ = std::make_unique<CellsAround<Walked>>(ground_);
+        if (place == Place::companion) return companion_graph();
         return place == Place::point  ? *points_
                : place == Place::cell ? *cells_
                                       : static_cast<const Around&>(in_order_);
     }
-    CellGraph<Walked>& graph() {
-        if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_);
+    CompanionGraph<Walked>& companion_graph() {
+        if (!companions_) companions_ = std::make_unique<CompanionGraph<Walked>>(ground_);
+        return *companions_;
+    }
+    FloodGraph& graph(Place place) {
+        if (place == Place::companion) return companion_graph();
+        if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_, marked_);
         return *graph_;
     }
 
@@ -111,6 +132,7 @@ class Reader {
         if (status && coding.tuples != Tuples::own) status = charge(elements, 24);
         if (status && !indexed && coding.tuples != Tuples::own)
             status = charge(elements, stride * copies);
+        if (status) status = charge_ground(head.place);
         if (!status) return status;
         ReadingCoder coder{
             bits, models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen)};
@@ -121,9 +143,9 @@ class Reader {
             TupleCodes<ReadingCoder> codes(coder, static_cast<Id>(count), indexed);
             // One tuple that all have needs no words.
             const bool all_alike = !indexed && count == 1;
-            const bool sane =
-                all_alike || (coding.tuples == Tuples::flooded ? flood(coder, codes, graph(), tuple)
-                                                               : code_tuples(codes, beside, tuple));
+            const bool sane = all_alike || (coding.tuples == Tuples::flooded
+                                                ? flood(coder, codes, graph(head.place), tuple)
+                                                : code_tuples(codes, beside, tuple));
             if (!sane || bits.exhausted() || (!indexed && !all_alike && codes.used() != count))
                 return corrupt("an attribute refers to a tuple that does not exist");
         }
@@ -149,19 +171,22 @@ class Reader {
     ByteReader& in_;
     const Head& head_;
     const Ground<Walked>& ground_;
+    const std::vector<Id>& marked_;
     std::uint64_t& budget_;
     Mesh& mesh_;
+    std::array<bool, 5> charged_{};  // by place
     InOrder in_order_;
     std::unique_ptr<PointsAround<Walked>> points_;
     std::unique_ptr<CellsAround<Walked>> cells_;
     std::unique_ptr<CellGraph<Walked>> graph_;
+    std::unique_ptr<CompanionGraph<Walked>> companions_;
 };
 
 }  // namespace
 
 Status read_attributes(ByteReader& in, const Head& head, const Ground<Walked>& ground,
-                       std::uint64_t& budget, Mesh& mesh) {
-    return Reader(in, head, ground, budget, mesh).run();
+                       const std::vector<Id>& marked, std::uint64_t& budget, Mesh& mesh) {
+    return Reader(in, head, ground, marked, budget, mesh).run();
 }
 
 }  // namespace ravel

@@ -8,7 +8,8 @@
 namespace ravel {
 
 // `budget` is what may still be allocated; it shrinks. `mesh` is that of the ground.
+// `marked`: facets that are companions.
 Status read_attributes(ByteReader& in, const Head& head, const Ground<Walked>& ground,
-                       std::uint64_t& budget, Mesh& mesh);
+                       const std::vector<Id>& marked, std::uint64_t& budget, Mesh& mesh);
 
 }  // namespace ravel

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "decode/attributes.h"
+#include "decode/companions.h"
 #include "decode/file.h"
 #include "decode/payload.h"
 #include "decode/walk_driver.h"
@@ -297,15 +298,16 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
         return Error{Code::corrupt, 0, "the heads and the sections contradict each other"};
     // Growth: nodes are a byte in the file and twice eight in memory, while the order is restored;
     // a block, a name or a note is a few dozen times its shortest form.
+    const Ground<Walked> ground{out.walked, mesh, out.point, out.flipped, stencils};
+    std::vector<Id> marked;
     Status status = decode_section(file, SectionId::companions, budget, 40, [&](ByteReader& in) {
-        return read_companions(in, file.block, mesh);
+        return read_companions(in, file.head, file.block, ground, budget, mesh, marked);
     });
     if (!status) return status.error();
     if (status = charge_indices(file, mesh, budget); !status) return status.error();
-    const Ground<Walked> ground{out.walked, mesh, out.point, out.flipped, stencils};
     status = decode_section(
         file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
-        [&](ByteReader& in) { return read_attributes(in, file.head, ground, budget, mesh); });
+        [&](ByteReader& in) { return read_attributes(in, file.head, ground, marked, budget, mesh); });
     if (!status) return status.error();
     status = decode_section(file, SectionId::names, budget, 72,
                             [&](ByteReader& in) { return read_names(in, mesh); });

@@ -26,49 +26,6 @@ Status check_end(const ByteReader& in) {
 
 }  // namespace
 
-Status read_companions(ByteReader& in, const BlockHead& head, Mesh& mesh) {
-    const std::uint64_t count = in.varint();
-    // A block takes four bytes at least.
-    if (count != head.companions || count > in.left() / 4)
-        return corrupt(in, "the companions are not as many as announced");
-    const Index points = mesh.point_count(), cells = mesh.cell_count();
-    mesh.companions.reserve(count);
-    for (std::uint64_t b = 0; b < count; ++b) {
-        CompanionBlock block;
-        const std::uint64_t type = in.varint(), nodes = in.varint();
-        block.cell_count = in.varint();
-        const std::uint8_t hosts = in.u8();
-        if (!in.ok() || type > 0xFFFF || nodes > 0xFFFFFFFFu || hosts > 1)
-            return corrupt(in, "a companion block of a kind this version does not know");
-        block.vtk_type = static_cast<std::uint16_t>(type);
-        block.nodes_per_cell = static_cast<std::uint32_t>(nodes);
-        // Every node and host takes a byte at least.
-        if ((nodes > 0 && block.cell_count > in.left() / nodes) ||
-            (hosts == 1 && block.cell_count > in.left()))
-            return corrupt(in, "a companion block with more cells than there are bytes");
-        if (block.cell_count > kNoIndex / 4 - mesh.companion_count())
-            return corrupt(in, "more companions than can be counted");
-        block.nodes.resize(block.cell_count * nodes);
-        for (std::size_t k = 0; k < nodes && block.cell_count > 0; ++k) {
-            DeltaReader column(in);
-            for (std::size_t i = k; i < block.nodes.size(); i += nodes) {
-                block.nodes[i] = column.next();
-                if (block.nodes[i] >= points)
-                    return corrupt(in, "a companion names a point that does not exist");
-            }
-        }
-        if (hosts == 1) {
-            block.hosts.resize(block.cell_count);
-            DeltaReader column(in);
-            for (Index& host : block.hosts)
-                if ((host = column.next()) >= cells)
-                    return corrupt(in, "a companion names a cell that does not exist");
-        }
-        mesh.companions.push_back(std::move(block));
-    }
-    return check_end(in);
-}
-
 Status read_names(ByteReader& in, Mesh& mesh) {
     const std::uint64_t names = in.varint();
     if (names > in.left() / 4) return corrupt(in, "more names than there are bytes");
@@ -98,20 +55,27 @@ Status read_names(ByteReader& in, Mesh& mesh) {
 
 Result<Reorder> read_order(ByteReader& in, const Mesh& mesh) {
     Reorder order;
-    const Index points = mesh.point_count(), cells = mesh.cell_count();
-    if (points > in.left() || cells > in.left())
+    const Index points = mesh.point_count(), cells = mesh.cell_count(),
+                companions = mesh.companion_count();
+    if (points > in.left() || cells > in.left() || companions > in.left())
         return corrupt(in, "the order has fewer bytes than elements");
-    for (auto [list, count] :
-         {std::pair{&order.old_point, points}, std::pair{&order.old_cell, cells}}) {
+    bool sane = true;
+    const auto read = [&](std::vector<Index>& list, Index count) {
         std::vector<bool> taken(count, false);
-        list->resize(count);
+        const std::size_t before = list.size();
+        list.resize(before + count);
         DeltaReader delta(in);
-        for (Index& i : *list) {
-            i = delta.next();
-            if (i >= count || taken[i]) return corrupt(in, "the order is no permutation");
-            taken[i] = true;
+        for (Index i = 0; i < count && sane; ++i) {
+            const Index old = delta.next();
+            sane = old < count && !taken[old];
+            if (!sane) return;
+            taken[old] = true;
+            list[before + i] = before + old;
         }
-    }
+    };
+    read(order.old_point, points);
+    read(order.old_cell, cells);
+    if (!sane) return corrupt(in, "the order is no permutation");
     order.turn.resize(cells);
     for (Index c = 0; c < cells; ++c) {
         const std::uint64_t turn = in.varint();
@@ -120,9 +84,35 @@ Result<Reorder> read_order(ByteReader& in, const Mesh& mesh) {
         if (turn >= most) return corrupt(in, "a cell starts with a corner that it has not");
         order.turn[c] = static_cast<std::uint32_t>(turn);
     }
+    for (const CompanionBlock& block : mesh.companions) {
+        read(order.old_companion, block.cell_count);
+        for (Index i = 0; i < block.cell_count && sane; ++i) {
+            const std::uint64_t turn = in.varint();
+            sane = turn == 0 || turn < block.nodes_per_cell;
+            order.companion_turn.push_back(static_cast<std::uint32_t>(turn));
+        }
+    }
+    if (!sane) return corrupt(in, "the order of the companions makes no sense");
     if (Status status = check_end(in); !status) return status.error();
     return order;
 }
+
+namespace {
+
+// Cells of a block at their old places, starting with their old first nodes. `before`: companions
+// of the blocks before.
+void place_companions(const Reorder& order, Index before, CompanionBlock& block) {
+    const std::vector<Index> nodes = block.nodes, hosts = block.hosts;
+    const Index n = block.nodes_per_cell;
+    for (Index i = 0; i < block.cell_count; ++i) {
+        const Index old = order.old_companion[before + i] - before;
+        for (Index k = 0; k < n; ++k)
+            block.nodes[old * n + (k + order.companion_turn[before + i]) % n] = nodes[i * n + k];
+        if (!hosts.empty()) block.hosts[old] = hosts[i];
+    }
+}
+
+}  // namespace
 
 Mesh restore_order(const Mesh& mesh, const Reorder& order) {
     Mesh out;
@@ -148,18 +138,24 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
         if (mesh.kind == CellKind::polygon) out.corner_begin.push_back(begin);
     }
     out.companions = mesh.companions;
+    Index before = 0;
     for (CompanionBlock& block : out.companions) {
         if (mesh.kind == CellKind::tet)
             turn_edge_nodes(block, true, [&](Index host) { return order.turn[host]; });
+        place_companions(order, before, block);
+        before += block.cell_count;
         for (Index& node : block.nodes) node = order.old_point[node];
         for (Index& host : block.hosts) host = order.old_cell[host];
     }
+    const std::vector<Index> new_companion =
+        inverse_of(order.old_companion, order.old_companion.size());
     for (const Attribute& attribute : mesh.attributes) {
         Attribute moved = attribute;
-        const std::vector<Index>* from = attribute.place == Place::point    ? &new_point
-                                         : attribute.place == Place::cell   ? &new_cell
-                                         : attribute.place == Place::corner ? &new_corner
-                                                                            : nullptr;
+        const std::vector<Index>* from = attribute.place == Place::point       ? &new_point
+                                         : attribute.place == Place::cell      ? &new_cell
+                                         : attribute.place == Place::corner    ? &new_corner
+                                         : attribute.place == Place::companion ? &new_companion
+                                                                               : nullptr;
         if (from != nullptr && !from->empty()) {
             if (attribute.index.empty())
                 moved.values = gather(attribute.values, *from);

@@ -7,7 +7,6 @@
 
 namespace ravel {
 
-Status read_companions(ByteReader& in, const BlockHead& block, Mesh& mesh);
 Status read_names(ByteReader& in, Mesh& mesh);
 
 // Where the strip's order came from; checked to be permutations.

@@ -9,6 +9,7 @@
 #include "mesh/reorder.h"
 #include "predict/array_planes.h"
 #include "predict/cell_graph.h"
+#include "predict/companion_graph.h"
 #include "predict/points_around.h"
 
 namespace ravel {
@@ -53,7 +54,8 @@ struct Plan {
 
 class Writer {
   public:
-    explicit Writer(const Ground<Walked>& ground) : ground_(ground), mesh_(ground.mesh) {}
+    Writer(const Ground<Walked>& ground, const std::vector<Id>& marked)
+        : ground_(ground), mesh_(ground.mesh), marked_(marked) {}
 
     Bytes run() {
         ByteWriter out, planes;
@@ -78,21 +80,38 @@ class Writer {
             points_ = std::make_unique<PointsAround<Walked>>(ground_);
         if (place == Place::cell && !cells_)
             cells_ = std::make_unique<CellsAround<Walked>>(ground_);
+        if (place == Place::companion) return companion_graph();
         return place == Place::point  ? *points_
                : place == Place::cell ? *cells_
                                       : static_cast<const Around&>(in_order_);
     }
-    CellGraph<Walked>& graph() {
-        if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_);
+    CompanionGraph<Walked>& companion_graph() {
+        if (!companions_) companions_ = std::make_unique<CompanionGraph<Walked>>(ground_);
+        return *companions_;
+    }
+    FloodGraph& graph(Place place) {
+        if (place == Place::companion) return companion_graph();
+        if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_, marked_);
         return *graph_;
+    }
+
+    // One that knows the walls of the floods that are written.
+    std::unique_ptr<FloodGraph> trial_graph(Place place) {
+        std::unique_ptr<FloodGraph> trial;
+        if (place == Place::companion)
+            trial = std::make_unique<CompanionGraph<Walked>>(ground_);
+        else
+            trial = std::make_unique<CellGraph<Walked>>(ground_, marked_);
+        trial->remember(graph(place));
+        return trial;
     }
 
     // Codes which tuple each element has; `tuple` then has numbers by use. Returns how many.
     Id code_sharing(BitsWriter& coder, const Attribute& attribute, Tuples how, Id most, bool pool,
-                    FloodGraph& graph, std::vector<Id>& tuple) {
+                    FloodGraph* graph, std::vector<Id>& tuple) {
         TupleCodes<BitsWriter> codes(coder, most, pool);
         if (how == Tuples::flooded)
-            flood(coder, codes, graph, tuple);
+            flood(coder, codes, *graph, tuple);
         else
             code_tuples(codes, around(attribute.place), tuple);
         return codes.used();
@@ -120,8 +139,8 @@ class Writer {
         const Array& values = attribute.values;
         Plan best;
         best.values = values;
-        const bool small =
-            element_count(mesh_, attribute.place) < kNone - 1 && values.count() < kNone - 1;
+        const bool small = element_count(mesh_, attribute.place) < kMostElements &&
+                           values.count() < kMostElements;
         if (!small && !pool) return best;
         std::size_t least = 0;
         if (!pool) {
@@ -136,14 +155,16 @@ class Writer {
         if (!pool && 2 * std::size_t{tuples} > sharing.tuple.size()) return best;
         bool first = pool;
         for (const Tuples how : {Tuples::in_order, Tuples::flooded}) {
-            if (how == Tuples::flooded && attribute.place != Place::cell) continue;
-            CellGraph<Walked> trial(ground_);
-            if (how == Tuples::flooded) trial.remember(graph());
+            if (how == Tuples::flooded && attribute.place != Place::cell &&
+                attribute.place != Place::companion)
+                continue;
+            const std::unique_ptr<FloodGraph> trial =
+                how == Tuples::flooded ? trial_graph(attribute.place) : nullptr;
             std::vector<Id> by_use = sharing.tuple;
             FlagEncoder bits;
             BitsWriter coder{bits};
             if (pool || tuples > 1)
-                code_sharing(coder, attribute, how, tuples, pool, trial, by_use);
+                code_sharing(coder, attribute, how, tuples, pool, trial.get(), by_use);
             Array stored = in_order_of_use(values, sharing, by_use);
             const PoolAround tuples_around(around(attribute.place), by_use);
             const FieldPlan field = plan_field(stored, tuples_around);
@@ -164,7 +185,9 @@ class Writer {
         BitsWriter coder{bits};
         const bool pool = is_pool(mesh_, attribute);
         if (coding.tuples != Tuples::own && (pool || coding.pool != 1))
-            code_sharing(coder, attribute, coding.tuples, coding.pool, pool, graph(), plan.tuple);
+            code_sharing(coder, attribute, coding.tuples, coding.pool, pool,
+                         coding.tuples == Tuples::flooded ? &graph(attribute.place) : nullptr,
+                         plan.tuple);
         if (coding.planes) return;
         const Around& elements = around(attribute.place);
         const PoolAround tuples(elements, plan.tuple);
@@ -174,10 +197,12 @@ class Writer {
 
     const Ground<Walked>& ground_;
     const Mesh& mesh_;
+    const std::vector<Id>& marked_;
     InOrder in_order_;
     std::unique_ptr<PointsAround<Walked>> points_;
     std::unique_ptr<CellsAround<Walked>> cells_;
     std::unique_ptr<CellGraph<Walked>> graph_;
+    std::unique_ptr<CompanionGraph<Walked>> companions_;
 };
 
 }  // namespace
@@ -187,8 +212,8 @@ bool is_pool(const Mesh& mesh, const Attribute& attribute) {
            (attribute.place != Place::mesh && element_count(mesh, attribute.place) == 0);
 }
 
-Bytes write_attributes(const Ground<Walked>& ground) {
-    return Writer(ground).run();
+Bytes write_attributes(const Ground<Walked>& ground, const std::vector<Id>& marked) {
+    return Writer(ground, marked).run();
 }
 
 }  // namespace ravel

@@ -6,6 +6,7 @@
 #include "container/head.h"
 #include "container/sections.h"
 #include "encode/attributes.h"
+#include "encode/companions.h"
 #include "encode/course.h"
 #include "encode/order.h"
 #include "encode/payload.h"
@@ -109,16 +110,16 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     block.wants_mending = 100 * static_cast<double>(strip.added_cells) >
                           budget_of(complex, options) * static_cast<double>(block.cells);
 
-    const Reorder order = reorder_of(mesh, complex, record);
+    Reorder order = reorder_of(mesh, complex, record);
+    StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, *plan);
+    const CompanionCodes companions = write_companions(on_strip, course.walked, order);
     Encoded encoded;
     encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
     encoded.connectivity_ideal_bytes = codes.out.ideal_bits() / 8;
     encoded.position_bound = plan->bound;
     encoded.position_error = plan->error;
     encoded.order = maps_of(order, mesh, options.keep_order);
-
-    const StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, *plan);
-    const Ground<Walked> ground = on_strip.ground(course.walked);
+    map_companions(order, options.keep_order, encoded.order);
 
     ByteWriter out;
     out.raw(kMagic);
@@ -132,14 +133,13 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const std::vector<Index> unused(
         order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
     section(SectionId::positions, write_positions(*plan, complex, record, unused));
-    const std::vector<Index> new_point = inverse_of(order.old_point, mesh.point_count());
-    const std::vector<Index> new_cell = inverse_of(order.old_cell, mesh.cell_count());
-    if (!mesh.companions.empty())
-        section(SectionId::companions, write_companions(mesh, order, new_point, new_cell));
-    if (!mesh.attributes.empty()) section(SectionId::attributes, write_attributes(ground));
+    if (!mesh.companions.empty()) section(SectionId::companions, companions.section);
+    if (!mesh.attributes.empty())
+        section(SectionId::attributes,
+                write_attributes(on_strip.ground(course.walked), companions.marked));
     if (!mesh.tag_names.empty() || !mesh.notes.empty())
         section(SectionId::names, write_names(mesh));
-    if (options.keep_order) section(SectionId::order, write_order(order));
+    if (options.keep_order) section(SectionId::order, write_order(order, mesh.companions));
     out.u8(static_cast<std::uint8_t>(SectionId::end));
     encoded.bytes = out.take();
     return encoded;

@@ -6,9 +6,7 @@
 
 namespace ravel {
 
-Bytes write_companions(const Mesh& mesh, const Reorder& order, const std::vector<Index>& new_point,
-                       const std::vector<Index>& new_cell);
 Bytes write_names(const Mesh& mesh);
-Bytes write_order(const Reorder& order);
+Bytes write_order(const Reorder& order, const std::vector<CompanionBlock>& companions);
 
 }  // namespace ravel

@@ -16,6 +16,9 @@ struct Reorder {
     std::vector<std::uint32_t>
         turn;  // new cell -> polygons: the old corner it starts with; tets: its
                // permutation, the number of (old corner of new corner 0, 1, 2, 3)
+    std::vector<Index> old_companion;  // new companion -> old one, of the same block
+    std::vector<std::uint32_t>
+        companion_turn;  // new companion -> the old node it starts with; the others follow
 };
 
 // Permutations of 0 1 2 3 in lexicographic order.

@@ -75,6 +75,8 @@ class Comparer {
             out_.order_kept = order_.point[p] == p;
         for (Index c = 0; c < a_.cell_count() && out_.order_kept; ++c)
             out_.order_kept = order_.cell[c] == c && order_.turn[c] == 0;
+        for (Index c = 0; c < order_.companion.size() && out_.order_kept; ++c)
+            out_.order_kept = order_.companion[c] == c && order_.companion_turn[c] == 0;
     }
 
     bool companions() {
@@ -82,6 +84,12 @@ class Comparer {
             differ("the companion blocks are others");
             return false;
         }
+        if (!is_permutation(order_.companion, a_.companion_count()) ||
+            order_.companion_turn.size() != a_.companion_count()) {
+            differ("the order maps are no permutations");
+            return false;
+        }
+        Index before = 0;
         for (std::size_t i = 0; i < a_.companions.size(); ++i) {
             CompanionBlock x = a_.companions[i];
             const CompanionBlock& y = b_.companions[i];
@@ -90,10 +98,16 @@ class Comparer {
             bool same = x.vtk_type == y.vtk_type && x.nodes_per_cell == y.nodes_per_cell &&
                         x.cell_count == y.cell_count && x.nodes.size() == y.nodes.size() &&
                         x.hosts.size() == y.hosts.size();
-            for (std::size_t k = 0; k < x.nodes.size() && same; ++k)
-                same = order_.point[x.nodes[k]] == y.nodes[k];
-            for (std::size_t k = 0; k < x.hosts.size() && same; ++k)
-                same = order_.cell[x.hosts[k]] == y.hosts[k];
+            const Index n = x.nodes_per_cell;
+            for (Index c = 0; c < x.cell_count && same; ++c) {
+                const Index there = order_.companion[before + c] - before;
+                const Index turn = order_.companion_turn[before + c];
+                same = there < x.cell_count && (turn == 0 || turn < n);
+                for (Index k = 0; k < n && same; ++k)
+                    same = order_.point[x.nodes[c * n + (turn + k) % n]] == y.nodes[there * n + k];
+                if (same && !x.hosts.empty()) same = order_.cell[x.hosts[c]] == y.hosts[there];
+            }
+            before += x.cell_count;
             if (!same) {
                 differ("companion block " + text_of(i) + " came back changed");
                 return false;
@@ -170,6 +184,7 @@ class Comparer {
         const std::vector<Index>* map = nullptr;
         if (x.place == Place::point) map = &order_.point;
         if (x.place == Place::cell) map = &order_.cell;
+        if (x.place == Place::companion) map = &order_.companion;
         if (x.place == Place::corner) {
             place_corners();
             map = &corner_;

@@ -30,7 +30,7 @@ bool read_coding(ByteReader& in, AttributeCoding& coding, bool indexed, Scalar s
     if (coding.planes && kind >> 4 != 0) return false;
     if (coding.tuples != AttributeCoding::Tuples::own && !indexed) {
         const std::uint64_t pool = in.varint();
-        if (pool >= kNone - 1) return false;
+        if (pool >= kMostElements) return false;
         coding.pool = static_cast<Id>(pool);
     }
     if (coding.planes) return in.ok();

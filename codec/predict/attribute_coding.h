@@ -6,6 +6,9 @@
 
 namespace ravel {
 
+// Elements (and tuples) of an attribute that is coded otherwise than as planes are fewer.
+inline constexpr Index kMostElements = Index{1} << 30;
+
 struct AttributeCoding {
     // Which tuple has each element: its own; one of a pool, told element after element; the same,
     // told by floods.

@@ -16,7 +16,13 @@ struct AttributeContexts {
     static constexpr ContextBlock flood{recent.end(), 4, 3, 21, 2};
     static constexpr ContextBlock outlier{flood.end(), 2};  // the one before
     static constexpr ContextBlock minus_zero{outlier.end(), 3};
-    static constexpr Context count = minus_zero.end();
+    // Companions: border, marks beside, borders beside that are none, how straight on.
+    static constexpr ContextBlock mark_facet{minus_zero.end(), 2, 4, 4, 7};
+    static constexpr ContextBlock mark_line{mark_facet.end(), 7, 4, 4};  // flat, lines at the ends
+    static constexpr ContextBlock mark_point{mark_line.end(), 4, 2};     // lines there, border
+    static constexpr ContextBlock mark_turn{mark_point.end(), 2, 2, 2};
+    static constexpr ContextBlock mark_block{mark_turn.end(), 3};
+    static constexpr Context count = mark_block.end();
 };
 
 }  // namespace ravel

@@ -11,8 +11,11 @@ namespace ravel {
 template <class Walk>
 class CellGraph final : public FloodGraph {
   public:
-    explicit CellGraph(const Ground<Walk>& ground)
-        : FloodGraph(ground.walk.vertex.size()), ground_(ground) {}
+    // Parts may well end at the facets `marked`.
+    CellGraph(const Ground<Walk>& ground, const std::vector<Id>& marked)
+        : FloodGraph(ground.walk.vertex.size()), ground_(ground) {
+        for (const Id f : marked) set_former(f);
+    }
 
     Id size() const override { return ground_.walk.cell_count(); }
     Id begin(Id cell) const override { return ground_.walk.begin(cell); }

@@ -32,15 +32,24 @@ class FloodGraph {
     // Walls of earlier floods are remembered: what ends at them may end there again.
     void start() {
         for (std::uint8_t& w : walls_) w = w != 0 ? kFormer : 0;
+        note_start();
     }
     void set_wall(Id link) {
         walls_[link] |= kWall;
         walls_[twin(link)] |= kWall;
+        note_wall(link);
     }
-    void set_former(Id link) { walls_[link] |= kFormer; }
+    void set_former(Id link) {
+        walls_[link] |= kFormer;
+        if (twin(link) != kNone) walls_[twin(link)] |= kFormer;
+    }
     void remember(const FloodGraph& other) { walls_ = other.walls_; }
     bool is_wall(Id link) const { return (walls_[link] & kWall) != 0; }
     bool was_wall(Id link) const { return (walls_[link] & kFormer) != 0; }
+
+    // For graphs that look at walls in another way.
+    virtual void note_start() {}
+    virtual void note_wall(Id) {}
 
   private:
     static constexpr std::uint8_t kWall = 1, kFormer = 2;

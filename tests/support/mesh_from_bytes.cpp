@@ -126,6 +126,27 @@ void add_companions(Mesh& mesh, Source& in) {
     }
 }
 
+// Points, lines and triangles that are parts of cells, some of them twice.
+void add_parts(Mesh& mesh, Source& in) {
+    const auto cells = static_cast<unsigned>(std::min<Index>(mesh.cell_count(), 255));
+    if (cells == 0) return;
+    for (std::uint32_t nodes = 1; nodes <= 3; ++nodes) {
+        CompanionBlock block;
+        block.vtk_type = std::array<std::uint16_t, 4>{0, 1, 3, 5}[nodes];
+        block.nodes_per_cell = nodes;
+        for (unsigned left = in.below(40); left > 0 && !in.empty(); --left) {
+            const auto cell = mesh.cell(in.below(cells));
+            if (cell.size() < nodes) continue;
+            const unsigned from = in.u8(),
+                           step = from >= 128 ? 1 : static_cast<unsigned>(cell.size()) - 1;
+            for (std::uint32_t k = 0; k < nodes; ++k)
+                block.nodes.push_back(cell[(from + std::size_t{k} * step) % cell.size()]);
+            ++block.cell_count;
+        }
+        mesh.companions.push_back(std::move(block));
+    }
+}
+
 void add_attributes(Mesh& mesh, Source& in) {
     for (unsigned left = in.below(4); left > 0; --left) {
         Attribute a;
@@ -137,7 +158,19 @@ void add_attributes(Mesh& mesh, Source& in) {
         const bool pool = a.place == Place::mesh || in.u8() % 3 == 0;
         const Index tuples = pool ? in.below(6) : elements;
         a.values = make_array(scalar, arity, tuples);
-        for (std::byte& b : a.values.bytes) b = static_cast<std::byte>(in.u8());
+        if (in.u8() % 2 == 0) {
+            for (std::byte& b : a.values.bytes) b = static_cast<std::byte>(in.u8());
+        } else {
+            // A few values, mostly that of the element before.
+            const std::size_t stride = a.values.stride();
+            for (Index t = 0; t < tuples; ++t) {
+                const unsigned tag = in.u8();
+                for (std::size_t b = 0; b < stride; ++b)
+                    a.values.bytes[t * stride + b] =
+                        t > 0 && tag >= 32 ? a.values.bytes[(t - 1) * stride + b]
+                                           : static_cast<std::byte>(b == 0 ? tag % 5 : 0);
+            }
+        }
         if (pool && a.place != Place::mesh)
             for (Index i = 0; i < elements; ++i)
                 a.index.push_back(tuples == 0 || in.u8() % 5 == 0
@@ -188,6 +221,7 @@ MeshCase mesh_from_bytes(std::span<const std::byte> bytes) {
     add_cells(made.mesh, in);
     if (extras) {
         add_companions(made.mesh, in);
+        if (in.u8() % 2 == 0) add_parts(made.mesh, in);
         add_attributes(made.mesh, in);
     }
     return made;

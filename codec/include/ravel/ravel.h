@@ -33,9 +33,9 @@ struct EncodeOptions {
     std::optional<double> lattice;
     bool float32 = false;              // round float64 positions to float32 first
     bool keep_order = false;  // restore point and cell order, start corners, tet permutations
-    // Percent of cells that the strip may add when it is read as the walk runs; 2.5 for polygons, 12
-    // for tets if not given. Where it adds more the file says that the strip is to be mended when it
-    // is made, which takes time but splits next to no cell. Costs no bytes either way.
+    // Percent of cells that the strip may add when it is read as the walk runs; 2.5 for polygons,
+    // 12 for tets if not given. Where it adds more the file says that the strip is to be mended
+    // when it is made, which takes time but splits next to no cell. Costs no bytes either way.
     std::optional<double> strip_budget;
     int level = 19;  // zstd's level, 1..22
 };
@@ -47,6 +47,10 @@ struct OrderMaps {             // kTetTurns: the 24 permutations of 0 1 2 3 in l
     std::vector<std::uint32_t>
         turn;  // old cell -> which of its corners the new cell starts with (polygons),
                // or the number of the permutation in kTetTurns (tets)
+    std::vector<Index> companion;  // old companion -> new companion, over all blocks; it stays in
+                                   // its block
+    std::vector<std::uint32_t>
+        companion_turn;  // old companion -> which of its nodes the new one starts with
 };
 
 // The strip of a file, as the walk runs: one per facet-connected component.
@@ -78,8 +82,8 @@ struct DecodeOptions {
 };
 
 // How the walk runs over the decoded mesh, in the order of its visits (which is the order of the
-// cells, unless the file keeps another), and which of its steps are links of the strip. Facet f of a
-// polygon is its side from corner f to f+1; facet f of a tet lies opposite corner f.
+// cells, unless the file keeps another), and which of its steps are links of the strip. Facet f of
+// a polygon is its side from corner f to f+1; facet f of a tet lies opposite corner f.
 struct StripStep {
     Index cell = 0;           // of the decoded mesh
     Index from = kNoIndex;    // the cell the walk came from; kNoIndex at the start of a component

@@ -1,0 +1,16 @@
+// Reads the section of the companions into a mesh in the strip's order.
+#pragma once
+
+#include "container/head.h"
+#include "predict/ground.h"
+#include "walk/walk.h"
+
+namespace ravel {
+
+// `budget` is what may still be allocated; it shrinks. `mesh` is that of the ground. Sets `marked`
+// to the facets that are companions, each as that of its earlier cell.
+Status read_companions(ByteReader& in, const Head& head, const BlockHead& block,
+                       const Ground<Walked>& ground, std::uint64_t& budget, Mesh& mesh,
+                       std::vector<Id>& marked);
+
+}  // namespace ravel
