@@ -8,6 +8,7 @@
 #include "predict/attribute_coding.h"
 #include "predict/cell_graph.h"
 #include "predict/companion_graph.h"
+#include "predict/corners_around.h"
 #include "predict/points_around.h"
 #include "predict/value_codes.h"
 
@@ -98,15 +99,18 @@ class Reader {
         return charge(mesh_.corners.size(), place == Place::cell ? 1 : 4);
     }
 
-    const Around& around(Place place) {
+    Around& around(Place place) {
         if (place == Place::point && !points_)
             points_ = std::make_unique<PointsAround<Walked>>(ground_);
         if (place == Place::cell && !cells_)
             cells_ = std::make_unique<CellsAround<Walked>>(ground_);
         if (place == Place::companion) return companion_graph();
-        return place == Place::point  ? *points_
-               : place == Place::cell ? *cells_
-                                      : static_cast<const Around&>(in_order_);
+        if (place == Place::corner && !corners_)
+            corners_ = std::make_unique<CornersAround<Walked>>(ground_);
+        return place == Place::point    ? static_cast<Around&>(*points_)
+               : place == Place::cell   ? static_cast<Around&>(*cells_)
+               : place == Place::corner ? static_cast<Around&>(*corners_)
+                                        : in_order_;
     }
     CompanionGraph<Walked>& companion_graph() {
         if (!companions_) companions_ = std::make_unique<CompanionGraph<Walked>>(ground_);
@@ -137,7 +141,7 @@ class Reader {
         ReadingCoder coder{
             bits, models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen)};
         std::vector<Id> tuple;
-        const Around& beside = around(head.place);
+        Around& beside = around(head.place);
         if (coding.tuples != Tuples::own) {
             tuple.assign(elements, 0);
             TupleCodes<ReadingCoder> codes(coder, static_cast<Id>(count), indexed);
@@ -151,7 +155,7 @@ class Reader {
         }
         if (!coding.planes) {
             values = make_array(head.scalar, head.arity, count);
-            const PoolAround pool(beside, tuple);
+            PoolAround pool(beside, tuple);
             if (!code_values(coder, coding.field, coding.tuples == Tuples::own ? beside : pool,
                              values, {}) ||
                 bits.exhausted())
@@ -178,6 +182,7 @@ class Reader {
     InOrder in_order_;
     std::unique_ptr<PointsAround<Walked>> points_;
     std::unique_ptr<CellsAround<Walked>> cells_;
+    std::unique_ptr<CornersAround<Walked>> corners_;
     std::unique_ptr<CellGraph<Walked>> graph_;
     std::unique_ptr<CompanionGraph<Walked>> companions_;
 };

@@ -10,6 +10,7 @@
 #include "predict/array_planes.h"
 #include "predict/cell_graph.h"
 #include "predict/companion_graph.h"
+#include "predict/corners_around.h"
 #include "predict/points_around.h"
 
 namespace ravel {
@@ -75,15 +76,18 @@ class Writer {
     }
 
   private:
-    const Around& around(Place place) {
+    Around& around(Place place) {
         if (place == Place::point && !points_)
             points_ = std::make_unique<PointsAround<Walked>>(ground_);
         if (place == Place::cell && !cells_)
             cells_ = std::make_unique<CellsAround<Walked>>(ground_);
         if (place == Place::companion) return companion_graph();
-        return place == Place::point  ? *points_
-               : place == Place::cell ? *cells_
-                                      : static_cast<const Around&>(in_order_);
+        if (place == Place::corner && !corners_)
+            corners_ = std::make_unique<CornersAround<Walked>>(ground_);
+        return place == Place::point    ? static_cast<Around&>(*points_)
+               : place == Place::cell   ? static_cast<Around&>(*cells_)
+               : place == Place::corner ? static_cast<Around&>(*corners_)
+                                        : in_order_;
     }
     CompanionGraph<Walked>& companion_graph() {
         if (!companions_) companions_ = std::make_unique<CompanionGraph<Walked>>(ground_);
@@ -139,8 +143,8 @@ class Writer {
         const Array& values = attribute.values;
         Plan best;
         best.values = values;
-        const bool small = element_count(mesh_, attribute.place) < kMostElements &&
-                           values.count() < kMostElements;
+        const bool small =
+            element_count(mesh_, attribute.place) < kMostElements && values.count() < kMostElements;
         if (!small && !pool) return best;
         std::size_t least = 0;
         if (!pool) {
@@ -166,7 +170,7 @@ class Writer {
             if (pool || tuples > 1)
                 code_sharing(coder, attribute, how, tuples, pool, trial.get(), by_use);
             Array stored = in_order_of_use(values, sharing, by_use);
-            const PoolAround tuples_around(around(attribute.place), by_use);
+            PoolAround tuples_around(around(attribute.place), by_use);
             const FieldPlan field = plan_field(stored, tuples_around);
             const std::size_t bytes = bits.finish().size() + field.bytes;
             if (!first && bytes >= least) continue;
@@ -189,8 +193,8 @@ class Writer {
                          coding.tuples == Tuples::flooded ? &graph(attribute.place) : nullptr,
                          plan.tuple);
         if (coding.planes) return;
-        const Around& elements = around(attribute.place);
-        const PoolAround tuples(elements, plan.tuple);
+        Around& elements = around(attribute.place);
+        PoolAround tuples(elements, plan.tuple);
         code_values(coder, coding.field, coding.tuples == Tuples::own ? elements : tuples,
                     plan.values, plan.truth);
     }
@@ -201,6 +205,7 @@ class Writer {
     InOrder in_order_;
     std::unique_ptr<PointsAround<Walked>> points_;
     std::unique_ptr<CellsAround<Walked>> cells_;
+    std::unique_ptr<CornersAround<Walked>> corners_;
     std::unique_ptr<CellGraph<Walked>> graph_;
     std::unique_ptr<CompanionGraph<Walked>> companions_;
 };

@@ -86,7 +86,7 @@ FieldTruth truth_of(const Array& values, FieldFormat& format) {
     return truth;
 }
 
-FieldPlan plan_field(const Array& values, const Around& around) {
+FieldPlan plan_field(const Array& values, Around& around) {
     const Array some = first_of(values, std::min(values.count(), kMostTried));
     FieldPlan best;
     best.bytes = pack(planes_of(some), kTrialLevel).size();
@@ -105,12 +105,16 @@ FieldPlan plan_field(const Array& values, const Around& around) {
         std::size_t outliers = 0;
         for (const bool o : truth.outlier) outliers += o;
         if (4 * outliers > some.count()) return;
-        for (const Guess guess : {Guess::nearest, Guess::mean, Guess::linear}) {
+        for (const Guess guess : {Guess::nearest, Guess::mean, Guess::linear, Guess::normal}) {
+            if (guess == Guess::normal && !unit_length) continue;
             format.guess = guess;
             offer(format, truth);
         }
-        if (!unit_length || best.planes || best.format.numbers != format.numbers) return;
-        format.guess = best.format.guess;
+        if (!unit_length) return;
+        format.by_angle = true;
+        offer(format, truth);
+        if (best.planes || best.format.numbers != format.numbers) return;
+        format = best.format;
         format.unit_length = true;
         offer(format, truth);
     };
@@ -120,11 +124,9 @@ FieldPlan plan_field(const Array& values, const Around& around) {
     } else {
         format.numbers = FieldNumbers::image;
         offer_numbers(format);
-        format.unit = choose_numbers(values);
-        if (format.unit.digits == 0) {
-            format.numbers = FieldNumbers::unit;
-            offer_numbers(format);
-        }
+        format.unit = choose_numbers(values, false);
+        format.numbers = FieldNumbers::unit;
+        offer_numbers(format);
     }
     best.bytes = best.bytes * values.count() / some.count();
     return best;

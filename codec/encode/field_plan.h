@@ -17,6 +17,6 @@ struct FieldPlan {
 };
 
 // The smallest by trial, on the first of many tuples.
-FieldPlan plan_field(const Array& values, const Around& around);
+FieldPlan plan_field(const Array& values, Around& around);
 
 }  // namespace ravel

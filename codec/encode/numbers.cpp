@@ -188,7 +188,7 @@ std::optional<Number> number_of(const NumberFormat& format, double x, Scalar sca
     return n;
 }
 
-NumberFormat choose_numbers(const Array& positions) {
+NumberFormat choose_numbers(const Array& positions, bool behind) {
     constexpr std::size_t kMostSamples = 200000;
     const std::size_t values = positions.arity * positions.count();
     const std::size_t stride = values / kMostSamples + 1;
@@ -228,7 +228,7 @@ NumberFormat choose_numbers(const Array& positions) {
     const auto n = static_cast<double>(binary.numbers);
     double least = INFINITY;
     const auto offer = [&](NumberBase base, int places, int digits, double bits) {
-        if (bits < least) least = bits, best = {base, places, digits, minus_zero};
+        if (bits < least && (behind || digits == 0)) least = bits, best = {base, places, digits, minus_zero};
     };
     double bits = 0;
     const int front10 = most_front(decimal), front2 = most_front(binary);

@@ -36,18 +36,24 @@ class Around {
     Around& operator=(const Around&) = delete;
     virtual ~Around() = default;
 
-    virtual Beside beside(Id) const { return {}; }
+    // `tuple`: of the elements so far, where several may have the same; none where each has its
+    // own.
+    virtual Beside beside(Id, const Id* /*tuple*/) const { return {}; }
     virtual Point3 place(Id) const { return {}; }
-    // Elements whose values tell most of this one's, where those beside it don't.
-    virtual Beside beside_values(Id element) const { return beside(element); }
-    // Of the surface at the element; what a normal stored there is guessed to be.
-    virtual Point3 normal(Id) const { return {}; }
+    // Those whose values tell most of this one's. `tuple` is then of all elements; those of lower
+    // tuples have known values.
+    virtual Beside beside_values(Id element, const Id* tuple) const {
+        return beside(element, tuple);
+    }
+    // Of the surface at the element, as long as it counts among others that share a tuple.
+    virtual Point3 normal(Id, bool /*by_angle*/) const { return {}; }
+    virtual void prepare_normals(bool /*by_angle*/) {}
 };
 
 // Elements of which nothing is known but their order.
 class InOrder final : public Around {
   public:
-    Beside beside(Id element) const override {
+    Beside beside(Id element, const Id*) const override {
         Beside b;
         for (Id back = 1; back <= 2 && back <= element; ++back) b.add(element - back);
         return b;

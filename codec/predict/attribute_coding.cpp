@@ -11,9 +11,9 @@ void write_coding(ByteWriter& out, const AttributeCoding& coding, bool indexed) 
                                                           static_cast<unsigned>(f.numbers) << 6)));
     if (coding.tuples != AttributeCoding::Tuples::own && !indexed) out.varint(coding.pool);
     if (coding.planes || f.numbers == FieldNumbers::integer) return;
-    out.u8(static_cast<std::uint8_t>((f.has_outliers ? 1 : 0) | (f.unit_length ? 2 : 0) |
-                                     (f.unit.has_minus_zero ? 4 : 0) |
-                                     (f.unit.base == NumberBase::decimal ? 8 : 0)));
+    out.u8(static_cast<std::uint8_t>(
+        (f.has_outliers ? 1 : 0) | (f.unit_length ? 2 : 0) | (f.unit.has_minus_zero ? 4 : 0) |
+        (f.unit.base == NumberBase::decimal ? 8 : 0) | (f.by_angle ? 16 : 0)));
     if (f.numbers == FieldNumbers::unit) out.varint(zigzag(f.unit.places));
     if (f.numbers == FieldNumbers::grid) out.f64(f.step);
 }
@@ -41,7 +41,9 @@ bool read_coding(ByteReader& in, AttributeCoding& coding, bool indexed, Scalar s
     f.unit_length = (flags & 2) != 0;
     f.unit.has_minus_zero = (flags & 4) != 0;
     f.unit.base = (flags & 8) != 0 ? NumberBase::decimal : NumberBase::binary;
-    bool sane = flags < 16 && (f.numbers == FieldNumbers::unit || flags < 4) &&
+    f.by_angle = (flags & 16) != 0;
+    bool sane = flags < 32 && (f.numbers == FieldNumbers::unit || (flags & 12) == 0) &&
+                (f.guess == Guess::normal || !f.by_angle) &&
                 (f.numbers != FieldNumbers::image || !f.has_outliers);
     if (f.numbers == FieldNumbers::unit) {
         const std::int64_t places = unzigzag(in.varint());

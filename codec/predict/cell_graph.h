@@ -57,7 +57,7 @@ class CellsAround final : public Around {
     explicit CellsAround(const Ground<Walk>& ground) : ground_(ground) {}
 
     // The cell behind the gate, then the other earlier neighbours.
-    Beside beside(Id cell) const override {
+    Beside beside(Id cell, const Id*) const override {
         const Walk& walk = ground_.walk;
         Beside b;
         const Id gate = walk.gate[cell];
@@ -81,6 +81,7 @@ class CellsAround final : public Around {
         for (double& x : sum) x /= static_cast<double>(end - begin);
         return sum;
     }
+    Point3 normal(Id cell, bool) const override { return ground_.normal_of_polygon(cell); }
 
   private:
     const Ground<Walk>& ground_;

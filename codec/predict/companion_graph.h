@@ -49,7 +49,7 @@ class CompanionGraph final : public FloodGraph, public Around {
     }
     void note_start() override { walls_at_.assign(walls_at_.size(), false); }
 
-    Beside beside(Id element) const override {
+    Beside beside(Id element, const Id*) const override {
         Beside b;
         for (Id f = first_[element]; f < first_[element + 1]; ++f)
             if (twin_[f] != kNone && element_[twin_[f]] < element) b.add(element_[twin_[f]]);

@@ -26,6 +26,7 @@ struct FieldFormat {
     double step = 1;            // of the grid
     bool has_outliers = false;  // some tuples are stored bit for bit instead
     bool unit_length = false;   // three floats, whose squares sum to about 1
+    bool by_angle = false;      // guessed normals weigh cells by their angle, not by their area
     Guess guess = Guess::nearest;
 };
 

@@ -74,7 +74,7 @@ bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vecto
             refused = g != kNone && known[graph.element_of(g)] &&
                       tuple[graph.element_of(g)] == tuple[first - 1];
         }
-        if (!refused) candidates.add(tuple[first - 1], 0);
+        if (!refused) candidates.add(tuple[first - 1], 0, 0);
         if (!codes.code(candidates, 0, tuple[first], tuple[first])) return false;
         known[first] = true;
         queue.assign(1, first);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "mesh/complex.h"
@@ -15,6 +17,18 @@ namespace ravel {
 // Outward corners of the facet of a tet opposite each corner.
 inline constexpr std::array<std::array<Id, 3>, 4> kOutwardCorners{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+// The arc cosine within 2e-8, the same on every machine [AbramowitzStegun1964, 4.4.46].
+inline double angle_of_cosine(double cosine) {
+    constexpr std::array<double, 8> kTerms{-0.0012624911, 0.0066700901,  -0.0170881256,
+                                           0.0308918810,  -0.0501743046, 0.0889789874,
+                                           -0.2145988016, 1.5707963050};
+    const double x = std::min(std::abs(cosine), 1.0);
+    double sum = 0;
+    for (const double term : kTerms) sum = sum * x + term;
+    const double angle = std::sqrt(1 - x) * sum;
+    return cosine < 0 ? 3.14159265358979323846 - angle : angle;
+}
 
 // `Walk` is the visited complex (Walked, see the walk's room): cells, corners and facets in the
 // order of the walk.
@@ -43,6 +57,34 @@ struct Ground {
         const Point3 a = place_of_corner(base + corner[0]);
         return cross(minus(place_of_corner(base + corner[1]), a),
                      minus(place_of_corner(base + corner[2]), a));
+    }
+    // Of a polygon (a part of one of very many corners); its length is twice the area.
+    Point3 normal_of_polygon(Id cell) const {
+        if (walk.kind == CellKind::tet) return {};
+        const Id begin = walk.begin(cell), end = std::min(walk.end(cell), begin + 16);
+        Point3 sum{};
+        if (begin == end) return sum;
+        const Point3 a = place_of_corner(begin);
+        for (Id c = begin + 1; c + 1 < end; ++c) {
+            const Point3 n = cross(minus(place_of_corner(c), a), minus(place_of_corner(c + 1), a));
+            for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
+        }
+        // The mesh has flipped ones the other way round.
+        if (!flipped.empty() && flipped[cell])
+            for (double& x : sum) x = -x;
+        return sum;
+    }
+    // The same at a corner; or its length is the polygon's angle there.
+    Point3 normal_at_corner(Id corner, bool by_angle) const {
+        Point3 n = normal_of_polygon(walk.cell_of(corner));
+        if (!by_angle || walk.kind == CellKind::tet) return n;
+        const Point3 here = place_of_corner(corner);
+        const Point3 u = minus(place_of_corner(walk.next_in_cell(corner)), here),
+                     v = minus(place_of_corner(walk.prev_in_cell(corner)), here);
+        const double weight =
+            angle_of_cosine(dot(u, v) / std::sqrt(dot(u, u) * dot(v, v))) / std::sqrt(dot(n, n));
+        for (double& x : n) x *= weight;
+        return n;
     }
     // Of a polygon's side, from start to end.
     Point3 way_of(Id side) const {

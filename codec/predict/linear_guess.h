@@ -12,6 +12,7 @@
 
 namespace ravel {
 
+// The last: values are normals of the surface.
 enum class Guess : std::uint8_t { nearest, mean, linear, normal };
 
 using Shares = std::array<double, kMostBeside>;
@@ -40,7 +41,7 @@ inline Shares shares_of(Guess guess, const Beside& beside, const Around& around,
     Shares shares{};
     const std::size_t n = beside.count;
     if (n == 0) return shares;
-    if (guess == Guess::nearest) {
+    if (guess == Guess::nearest || guess == Guess::normal) {
         shares[0] = 1;
         return shares;
     }

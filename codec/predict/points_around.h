@@ -12,7 +12,7 @@ class PointsAround final : public Around {
   public:
     explicit PointsAround(const Ground<Walk>& ground) : ground_(ground) { give_hints(); }
 
-    Beside beside(Id p) const override {
+    Beside beside(Id p, const Id*) const override {
         Beside b;
         b.hint = hint_[p];
         if (p >= ground_.stencils.size()) {
@@ -32,6 +32,15 @@ class PointsAround final : public Around {
         return b;
     }
     Point3 place(Id p) const override { return ground_.place_of_point(p); }
+    Point3 normal(Id p, bool) const override { return normals_[p]; }
+    // The sums of those of all corners at a point.
+    void prepare_normals(bool by_angle) override {
+        normals_.assign(hint_.size(), {});
+        for (Id c = 0; c < ground_.walk.vertex.size(); ++c) {
+            const Point3 n = ground_.normal_at_corner(c, by_angle);
+            for (std::size_t k = 0; k < 3; ++k) normals_[ground_.point_at(c)][k] += n[k];
+        }
+    }
 
   private:
     // Bits 0 and 1: the lowest dimension of the companions that have the point, 3 for none; bit 2:
@@ -59,6 +68,7 @@ class PointsAround final : public Around {
 
     const Ground<Walk>& ground_;
     std::vector<std::uint8_t> hint_;
+    std::vector<Point3> normals_;
 };
 
 }  // namespace ravel

@@ -17,18 +17,18 @@ class Candidates {
   public:
     struct One {
         Id tuple;
-        std::uint32_t kind, votes;
+        std::uint32_t kind, hint, votes;
     };
     void clear() { count_ = votes_ = 0; }
     // `kind`: how the neighbour lies. kNone is a tuple, too: that of elements that lack one.
-    void add(Id tuple, std::uint32_t kind) {
+    void add(Id tuple, std::uint32_t kind, std::uint32_t hint) {
         ++votes_;
         for (std::size_t i = 0; i < count_; ++i)
             if (of_[i].tuple == tuple) {
                 ++of_[i].votes;
                 return;
             }
-        if (count_ < of_.size()) of_[count_++] = {tuple, kind, 1};
+        if (count_ < of_.size()) of_[count_++] = {tuple, kind, hint, 1};
     }
     bool holds(Id tuple) const {
         for (std::size_t i = 0; i < count_; ++i)
@@ -64,7 +64,7 @@ class TupleCodes {
         for (std::size_t i = 0; i < candidates.size(); ++i) {
             const Candidates::One& one = candidates[i];
             against -= one.votes;
-            if (coder_.flag(AttributeContexts::same.at(one.kind, hint, one.votes - 1, against),
+            if (coder_.flag(AttributeContexts::same.at(one.kind, one.hint, one.votes - 1, against),
                             Coder::kWrites && one.tuple == goal))
                 return done(tuple = one.tuple);
         }
@@ -123,16 +123,50 @@ class TupleCodes {
     std::vector<Id> number_;  // the writer's: its number -> number by use
 };
 
+// Where the tuples of late go on as they did before: the longest way back is kept as long as it
+// holds, then the last place is taken where the same three came together.
+class TupleEcho {
+  public:
+    explicit TupleEcho(std::size_t elements)
+        : seen_(std::bit_ceil(std::clamp<std::size_t>(elements, 16, 1 << 20)), kNone) {}
+
+    // The element whose tuple may come next, or kNone; and how many have held, by classes of 8.
+    Id at() const { return at_; }
+    std::uint32_t held() const {
+        return std::min(static_cast<std::uint32_t>(std::bit_width(held_ >> 1)), kHints - 1);
+    }
+    void next(const std::vector<Id>& tuple, Id element) {
+        const bool held = at_ != kNone && tuple[at_] == tuple[element];
+        held_ = held ? held_ + 1 : 0;
+        hash_ = (hash_ << 10) * 0x9E3779B1u + tuple[element];
+        const std::uint32_t mixed = hash_ * 0x85EBCA77u;
+        Id& last = seen_[(mixed ^ mixed >> 15) & (seen_.size() - 1)];
+        at_ = held ? at_ + 1 : last;
+        last = element + 1;
+    }
+
+  private:
+    std::vector<Id> seen_;  // by the hash of the last tuples: the element after them
+    std::uint32_t hash_ = 0, held_ = 0;
+    Id at_ = kNone;
+};
+
 // Element after element. `tuple` has the writer's numbers before, numbers by use after.
 template <class Coder>
 bool code_tuples(TupleCodes<Coder>& codes, const Around& around, std::vector<Id>& tuple) {
+    constexpr std::uint32_t kFirm = 4;  // an echo that has held so long is asked for first
     Candidates candidates;
+    TupleEcho echo(tuple.size());
     for (std::size_t e = 0; e < tuple.size(); ++e) {
-        const Beside beside = around.beside(static_cast<Id>(e));
+        const Beside beside = around.beside(static_cast<Id>(e), tuple.data());
         candidates.clear();
+        const bool echoes = echo.at() != kNone;
+        if (echoes && echo.held() >= kFirm) candidates.add(tuple[echo.at()], 3, echo.held());
         for (std::uint32_t i = 0; i < beside.count; ++i)
-            candidates.add(tuple[beside.at[i]], beside.kind[i]);
+            candidates.add(tuple[beside.at[i]], beside.kind[i], beside.hint);
+        if (echoes && echo.held() < kFirm) candidates.add(tuple[echo.at()], 3, echo.held());
         if (!codes.code(candidates, beside.hint, tuple[e], tuple[e])) return false;
+        echo.next(tuple, static_cast<Id>(e));
     }
     return true;
 }
