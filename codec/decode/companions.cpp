@@ -41,6 +41,8 @@ class Reader {
         return Done{};
     }
 
+    const std::vector<MarkBlock>& marks() const { return marks_; }
+
   private:
     Error corrupt(const char* why) const { return {Code::corrupt, in_.at(), why}; }
 
@@ -139,8 +141,11 @@ class Reader {
 
 Status read_companions(ByteReader& in, const Head& head, const BlockHead& block,
                        const Ground<Walked>& ground, std::uint64_t& budget, Mesh& mesh,
-                       std::vector<Id>& marked) {
-    return Reader(in, head, ground, budget, mesh).run(block.companions, marked);
+                       std::vector<Id>& marked, std::vector<Index>& turned) {
+    Reader reader(in, head, ground, budget, mesh);
+    Status status = reader.run(block.companions, marked);
+    for (const MarkBlock& b : reader.marks()) turned.push_back(b.marks);
+    return status;
 }
 
 }  // namespace ravel

@@ -8,9 +8,10 @@
 namespace ravel {
 
 // `budget` is what may still be allocated; it shrinks. `mesh` is that of the ground. Sets `marked`
-// to the facets that are companions, each as that of its earlier cell.
+// to the facets that are companions, each as that of its earlier cell, and `turned` to how many
+// cells of each block may be turned; they come first.
 Status read_companions(ByteReader& in, const Head& head, const BlockHead& block,
                        const Ground<Walked>& ground, std::uint64_t& budget, Mesh& mesh,
-                       std::vector<Id>& marked);
+                       std::vector<Id>& marked, std::vector<Index>& turned);
 
 }  // namespace ravel

@@ -10,6 +10,7 @@
 #include "decode/attributes.h"
 #include "decode/companions.h"
 #include "decode/file.h"
+#include "decode/order.h"
 #include "decode/payload.h"
 #include "decode/walk_driver.h"
 #include "walk/priors.h"
@@ -24,8 +25,10 @@ const Section& section_of(const FileSections& file, SectionId id) {
     return file.sections[static_cast<std::size_t>(id)];
 }
 
-bool has_point_values(const Head& head) {
-    return std::any_of(head.attributes.begin(), head.attributes.end(),
+// Do values of points, or their old numbers, follow from those of their stencils?
+bool needs_stencils(const Head& head) {
+    return head.keeps_order ||
+           std::any_of(head.attributes.begin(), head.attributes.end(),
                        [](const AttributeHead& a) { return a.place == Place::point; });
 }
 
@@ -34,8 +37,8 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     const BlockHead& b = file.block;
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
     // Of tets, 24 bytes are for a front that hostile vertices crowd (see TetFront).
-    const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 88 : 52) + (order ? 16 : 0);
-    const std::uint64_t per_cell = (order ? 128 : 80) + (steps ? 112 : 0),
+    const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 88 : 52) + (order ? 24 : 0);
+    const std::uint64_t per_cell = (order ? 168 : 80) + (steps ? 112 : 0),
                         per_vertex = order ? 408 : 360;
     return b.corners * per_corner + b.cells * per_cell +
            (b.vertices + b.unused_points) * per_vertex;
@@ -208,7 +211,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
                         tets ? tet::kCopy.base : surface::kCopy.base,
                         tets ? tet::kCopyOf.base : surface::kCopyOf.base,
                         tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies,
-                        block.has_flips, has_point_values(file.head));
+                        block.has_flips, needs_stencils(file.head));
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
@@ -300,14 +303,16 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     // a block, a name or a note is a few dozen times its shortest form.
     const Ground<Walked> ground{out.walked, mesh, out.point, out.flipped, stencils};
     std::vector<Id> marked;
+    std::vector<Index> turned;
     Status status = decode_section(file, SectionId::companions, budget, 40, [&](ByteReader& in) {
-        return read_companions(in, file.head, file.block, ground, budget, mesh, marked);
+        return read_companions(in, file.head, file.block, ground, budget, mesh, marked, turned);
     });
     if (!status) return status.error();
     if (status = charge_indices(file, mesh, budget); !status) return status.error();
-    status = decode_section(
-        file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
-        [&](ByteReader& in) { return read_attributes(in, file.head, ground, marked, budget, mesh); });
+    status = decode_section(file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
+                            [&](ByteReader& in) {
+                                return read_attributes(in, file.head, ground, marked, budget, mesh);
+                            });
     if (!status) return status.error();
     status = decode_section(file, SectionId::names, budget, 72,
                             [&](ByteReader& in) { return read_names(in, mesh); });
@@ -315,7 +320,7 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     out.cell.resize(mesh.cell_count());
     for (Index c = 0; c < out.cell.size(); ++c) out.cell[c] = c;
     status = decode_section(file, SectionId::order, budget, 1, [&](ByteReader& in) -> Status {
-        Result<Reorder> order = read_order(in, mesh);
+        Result<Reorder> order = read_order(in, ground, turned, budget);
         if (!order) return order.error();
         mesh = restore_order(mesh, *order);
         out.cell = std::move(order->old_cell);

@@ -2,17 +2,10 @@
 #pragma once
 
 #include "base/bytes.h"
-#include "container/head.h"
-#include "mesh/reorder.h"
+#include "ravel/mesh.h"
 
 namespace ravel {
 
 Status read_names(ByteReader& in, Mesh& mesh);
-
-// Where the strip's order came from; checked to be permutations.
-Result<Reorder> read_order(ByteReader& in, const Mesh& mesh);
-
-// The mesh in the order it was encoded from.
-Mesh restore_order(const Mesh& mesh, const Reorder& order);
 
 }  // namespace ravel

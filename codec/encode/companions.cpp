@@ -174,6 +174,7 @@ CompanionCodes write_companions(StripMesh& strip, const Walked& walked, Reorder&
     FlagEncoder bits;
     code(bits, takers);
     reorder(mesh, takers.found(), order);
+    for (const MarkBlock& block : marks) out.turned.push_back(block.marks);
 
     ByteWriter section;
     section.varint(mesh.companions.size());

@@ -8,7 +8,8 @@ namespace ravel {
 
 struct CompanionCodes {
     Bytes section;
-    std::vector<Id> marked;  // facets that are companions, each as that of its earlier cell
+    std::vector<Id> marked;     // facets that are companions, each as that of its earlier cell
+    std::vector<Index> turned;  // per block: cells that may be turned; they come first
 };
 
 // Companions that are parts of the mesh come first in their block, in the order of the walk, and

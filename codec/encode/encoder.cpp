@@ -9,6 +9,7 @@
 #include "encode/companions.h"
 #include "encode/course.h"
 #include "encode/order.h"
+#include "encode/order_section.h"
 #include "encode/payload.h"
 #include "encode/positions.h"
 #include "encode/strip_mesh.h"
@@ -139,7 +140,9 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
                 write_attributes(on_strip.ground(course.walked), companions.marked));
     if (!mesh.tag_names.empty() || !mesh.notes.empty())
         section(SectionId::names, write_names(mesh));
-    if (options.keep_order) section(SectionId::order, write_order(order, mesh.companions));
+    if (options.keep_order)
+        section(SectionId::order,
+                write_order(on_strip.ground(course.walked), companions.turned, order));
     out.u8(static_cast<std::uint8_t>(SectionId::end));
     encoded.bytes = out.take();
     return encoded;

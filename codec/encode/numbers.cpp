@@ -228,7 +228,8 @@ NumberFormat choose_numbers(const Array& positions, bool behind) {
     const auto n = static_cast<double>(binary.numbers);
     double least = INFINITY;
     const auto offer = [&](NumberBase base, int places, int digits, double bits) {
-        if (bits < least && (behind || digits == 0)) least = bits, best = {base, places, digits, minus_zero};
+        if (bits < least && (behind || digits == 0))
+            least = bits, best = {base, places, digits, minus_zero};
     };
     double bits = 0;
     const int front10 = most_front(decimal), front2 = most_front(binary);

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "base/bytes.h"
-#include "mesh/reorder.h"
+#include "ravel/mesh.h"
 
 namespace ravel {
 
 Bytes write_names(const Mesh& mesh);
-Bytes write_order(const Reorder& order, const std::vector<CompanionBlock>& companions);
 
 }  // namespace ravel

@@ -22,7 +22,14 @@ struct AttributeContexts {
     static constexpr ContextBlock mark_point{mark_line.end(), 4, 2};     // lines there, border
     static constexpr ContextBlock mark_turn{mark_point.end(), 2, 2, 2};
     static constexpr ContextBlock mark_block{mark_turn.end(), 3};
-    static constexpr Context count = mark_block.end();
+    // Numbers that come once: how long steps have repeated; how the last two were found.
+    static constexpr ContextBlock number_echo{mark_block.end(), kHints};
+    static constexpr ContextBlock number_next{number_echo.end(), 16};
+    static constexpr ContextBlock number_guess{number_next.end(), 16};
+    static constexpr ContextBlock number_near{number_guess.end(), 2};
+    // Turns of cells: how the cell before is left, or what came last; steps of the answer.
+    static constexpr ContextBlock turn{number_near.end(), 9, 9, 8};
+    static constexpr Context count = turn.end();
 };
 
 }  // namespace ravel
