@@ -93,7 +93,7 @@ class Reader {
         charged = true;
         if (place == Place::companion) {
             if (Status status = charge(mesh_.companion_count(), 128); !status) return status;
-            return charge(mesh_.point_count(), 1);
+            return charge(mesh_.point_count(), 9);
         }
         if (place == Place::point) return charge(mesh_.point_count(), 1);
         return charge(mesh_.corners.size(), place == Place::cell ? 1 : 4);

@@ -133,7 +133,7 @@ class Reader {
     std::uint64_t& budget_;
     Mesh& mesh_;
     std::vector<MarkBlock> marks_;
-    std::vector<bool> hosted_;
+    std::vector<std::uint8_t> hosted_;
     Index companions_ = 0;
 };
 

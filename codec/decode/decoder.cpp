@@ -38,8 +38,8 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
     // Of tets, 24 bytes are for a front that hostile vertices crowd (see TetFront).
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 88 : 52) + (order ? 24 : 0);
-    const std::uint64_t per_cell = (order ? 168 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 408 : 360;
+    const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
+                        per_vertex = order ? 416 : 360;
     return b.corners * per_corner + b.cells * per_cell +
            (b.vertices + b.unused_points) * per_vertex;
 }

@@ -46,8 +46,9 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
         by.push_back(static_cast<ToldBy>(told));
         if (block.cell_count >= kMostNumbers || block.nodes.size() >= kMostNumbers)
             return corrupt("an order of more companions than have one");
-        need += 64 * block.cell_count + 8 * block.nodes.size();
+        need += 88 * block.cell_count + 8 * block.nodes.size();
     }
+    if (!blocks.empty()) need += 8 * ground.mesh.point_count();
     if (need > budget)
         return Error{Code::limit_exceeded, in.at(), "the order needs more memory than allowed"};
     budget -= need;

@@ -25,11 +25,11 @@ class CellGraph final : public FloodGraph {
 
     // The straightest way on from the walls about the edges (ends) of the facet, and from how many
     // of them.
-    std::uint32_t walls_about(Id facet, const std::vector<bool>& known) const override {
+    std::uint32_t walls_about(Id facet, const std::vector<std::uint8_t>& known) const override {
         const bool tets = ground_.walk.kind == CellKind::tet;
         const Point3 own = tets ? ground_.normal_of(facet) : ground_.way_of(facet);
         std::uint32_t straightest = 0, walls = 0;
-        const auto enter = [&](Id cell) { return known[cell]; };
+        const auto enter = [&](Id cell) { return known[cell] != 0; };
         const auto visit = [&](Id g) {
             if (!is_wall(g)) return true;
             ++walls;

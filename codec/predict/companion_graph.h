@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "predict/around.h"
+#include "predict/counting_sort.h"
 #include "predict/flatness.h"
 #include "predict/flood_codes.h"
 #include "predict/ground.h"
@@ -26,7 +27,7 @@ class CompanionGraph final : public FloodGraph, public Around {
         for (Id e = 0; e + 1 < first_.size(); ++e)
             std::fill(element_.begin() + first_[e], element_.begin() + first_[e + 1], e);
         pair_links();
-        walls_at_.assign(ground.mesh.point_count(), false);
+        walls_at_.assign(ground.mesh.point_count(), 0);
     }
 
     Id size() const override { return static_cast<Id>(nodes_.size()); }
@@ -36,18 +37,18 @@ class CompanionGraph final : public FloodGraph, public Around {
     Id element_of(Id link) const override { return element_[link]; }
 
     // How straight the faces meet, and at how many ends of the edge there are walls.
-    std::uint32_t walls_about(Id link, const std::vector<bool>&) const override {
+    std::uint32_t walls_about(Id link, const std::vector<std::uint8_t>&) const override {
         const Id other = twin_[link];
         const Key key = key_of(link);
         return 3 * flatness(direction(link, false), direction(other, true)) + walls_at_[key.a] +
-               (key.b != kNone && walls_at_[key.b]);
+               (key.b != kNone ? walls_at_[key.b] : 0);
     }
     void note_wall(Id link) override {
         const Key key = key_of(link);
-        walls_at_[key.a] = true;
-        if (key.b != kNone) walls_at_[key.b] = true;
+        walls_at_[key.a] = 1;
+        if (key.b != kNone) walls_at_[key.b] = 1;
     }
-    void note_start() override { walls_at_.assign(walls_at_.size(), false); }
+    void note_start() override { walls_at_.assign(walls_at_.size(), 0); }
 
     Beside beside(Id element, const Id*) const override {
         Beside b;
@@ -70,8 +71,6 @@ class CompanionGraph final : public FloodGraph, public Around {
   private:
     struct Key {
         Id a = kNone, b = kNone;
-        bool operator==(const Key&) const = default;
-        bool operator<(const Key& other) const { return a != other.a ? a < other.a : b < other.b; }
     };
 
     // Lines have two, triangles and quads as many as sides; others have none.
@@ -97,15 +96,22 @@ class CompanionGraph final : public FloodGraph, public Around {
     }
     // Links with the same key in pairs, as they come.
     void pair_links() {
-        std::vector<std::pair<Key, Id>> keys;
-        keys.reserve(element_.size());
-        for (Id f = 0; f < element_.size(); ++f) keys.push_back({key_of(f), f});
-        std::sort(keys.begin(), keys.end());
+        std::vector<Id> links(element_.size()), low(links.size()), high(links.size());
+        for (Id f = 0; f < links.size(); ++f) {
+            const Key key = key_of(f);
+            links[f] = f;
+            low[f] = key.a;
+            high[f] = key.b + 1;  // none is lowest
+        }
+        const auto points = static_cast<Id>(ground_.mesh.point_count());
+        counting_sort(links, high, points + 1);
+        counting_sort(links, low, points + 1);
         twin_.assign(element_.size(), kNone);
-        for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-            if (!(keys[i].first == keys[i + 1].first)) continue;
-            twin_[keys[i].second] = keys[i + 1].second;
-            twin_[keys[i + 1].second] = keys[i].second;
+        for (std::size_t i = 0; i + 1 < links.size(); ++i) {
+            const Id f = links[i], g = links[i + 1];
+            if (low[f] != low[g] || high[f] != high[g]) continue;
+            twin_[f] = g;
+            twin_[g] = f;
             ++i;
         }
     }
@@ -123,10 +129,10 @@ class CompanionGraph final : public FloodGraph, public Around {
     }
 
     const Ground<Walk>& ground_;
-    std::vector<const Index*> nodes_;  // per element
-    std::vector<Id> first_{0};         // element -> its first link
-    std::vector<Id> element_, twin_;   // per link
-    std::vector<bool> walls_at_;       // per point
+    std::vector<const Index*> nodes_;     // per element
+    std::vector<Id> first_{0};            // element -> its first link
+    std::vector<Id> element_, twin_;      // per link
+    std::vector<std::uint8_t> walls_at_;  // per point
 };
 
 }  // namespace ravel

@@ -27,7 +27,7 @@ class FloodGraph {
     virtual Id twin(Id) const { return kNone; }  // kNone where it leads nowhere
     virtual Id element_of(Id) const { return 0; }
     // How the walls go on about a link of a known element, below kMostWallClasses.
-    virtual std::uint32_t walls_about(Id, const std::vector<bool>&) const { return 0; }
+    virtual std::uint32_t walls_about(Id, const std::vector<std::uint8_t>&) const { return 0; }
 
     // Walls of earlier floods are remembered: what ends at them may end there again.
     void start() {
@@ -60,7 +60,7 @@ class FloodGraph {
 template <class Coder>
 bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vector<Id>& tuple) {
     const Id size = graph.size();
-    std::vector<bool> known(size, false);
+    std::vector<std::uint8_t> known(size, 0);
     std::vector<Id> queue;
     Candidates candidates;
     graph.start();
@@ -76,7 +76,7 @@ bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vecto
         }
         if (!refused) candidates.add(tuple[first - 1], 0, 0);
         if (!codes.code(candidates, 0, tuple[first], tuple[first])) return false;
-        known[first] = true;
+        known[first] = 1;
         queue.assign(1, first);
         for (std::size_t head = 0; head < queue.size(); ++head) {
             const Id from = queue[head];
@@ -106,7 +106,7 @@ bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vecto
                     continue;
                 }
                 tuple[to] = tuple[from];
-                known[to] = true;
+                known[to] = 1;
                 queue.push_back(to);
             }
         }

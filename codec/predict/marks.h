@@ -138,7 +138,7 @@ class MarkCodes {
         return nodes;
     }
     void facets() {
-        marked_.assign(walk_.twin.size(), false);
+        marked_.assign(walk_.twin.size(), 0);
         for (Id f = 0; f < walk_.twin.size() && left_ > 0; ++f) {
             if (!earlier(f)) continue;
             const bool border = walk_.twin[f] == kNone;
@@ -151,7 +151,7 @@ class MarkCodes {
                                                       about.flat),
                      nodes, f, about))
                 continue;
-            marked_[f] = true;
+            marked_[f] = 1;
             for (const Id p : nodes) ends_[p].facets = 1;
         }
     }
@@ -269,8 +269,8 @@ class MarkCodes {
     Id last_block_ = 0;
     bool last_turn_ = false, sane_ = true;
     std::vector<Mark> marks_;
-    std::vector<bool> marked_;  // per facet of the earlier cell
-    std::vector<Ends> ends_;    // per point that a cell has
+    std::vector<std::uint8_t> marked_;  // per facet of the earlier cell
+    std::vector<Ends> ends_;            // per point that a cell has
 };
 
 }  // namespace ravel

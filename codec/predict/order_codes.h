@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/reorder.h"
+#include "predict/counting_sort.h"
 #include "predict/ground.h"
 #include "predict/linear_guess.h"
 #include "predict/numbering_codes.h"
@@ -28,29 +29,39 @@ struct OrderCoding {
     ToldBy cells = ToldBy::walk;
 };
 
-// The elements whose nodes are given (element e has nodes begin[e] .. begin[e + 1] - 1, points in
-// the new order) sorted by their old points. Ties stay in order.
+// Elements are compared by so many of their points.
+inline constexpr int kMostCompared = 4;
+
+// The elements whose nodes are given (element e has nodes begin[e] .. begin[e + 1] - 1, points
+// below `points` in the old order) sorted by them: by the lowest, the next above it and so on; by
+// the highest, the next below it and so on; by the first ones. Those with fewer come before those
+// with more. Ties stay in order. Linear.
 inline std::vector<Id> told_order(const std::vector<Id>& begin, const std::vector<Id>& old_node,
-                                  ToldBy by) {
+                                  ToldBy by, Id points) {
     const std::size_t count = begin.size() - 1;
     std::vector<Id> order(count);
     std::iota(order.begin(), order.end(), 0);
     if (by == ToldBy::walk) return order;
-    std::vector<Id> key = old_node;
-    if (by != ToldBy::first)
+    std::array<std::vector<Id>, kMostCompared> keys;  // point + 1, or 0 for none
+    for (std::size_t column = 0; column < keys.size(); ++column) {
+        keys[column].assign(count, 0);
         for (std::size_t e = 0; e < count; ++e) {
-            const auto from = key.begin() + begin[e], to = key.begin() + begin[e + 1];
-            std::sort(from, to);
-            if (by == ToldBy::highest) std::reverse(from, to);
+            Id& key = keys[column][e];
+            if (by == ToldBy::first) {
+                if (begin[e] + column < begin[e + 1]) key = old_node[begin[e] + column] + 1;
+                continue;
+            }
+            const Id last = column > 0 ? keys[column - 1][e] : by == ToldBy::lowest ? 0 : kNone;
+            if (column > 0 && last == 0) continue;
+            for (Id i = begin[e]; i < begin[e + 1]; ++i) {
+                const Id k = old_node[i] + 1;
+                if (by == ToldBy::lowest ? k > last && (key == 0 || k < key) : k < last && k > key)
+                    key = k;
+            }
         }
-    std::sort(order.begin(), order.end(), [&](Id a, Id b) {
-        const auto x = key.begin(), y = key.begin();
-        for (Id i = begin[a], j = begin[b];; ++i, ++j) {
-            if (i == begin[a + 1] || j == begin[b + 1])
-                return i == begin[a + 1] && j == begin[b + 1] ? a < b : i == begin[a + 1];
-            if (x[i] != y[j]) return x[i] < y[j];
-        }
-    });
+    }
+    for (std::size_t column = keys.size(); column-- > 0;)
+        counting_sort(order, keys[column], points + 1);
     return order;
 }
 
@@ -116,8 +127,8 @@ class OrderCodes {
             }
         }
         const bool guesses = coding_.guesses_cells && by == ToldBy::walk;
-        return numbers(told_order(begin, old_node, by), guesses ? &cells_around_ : nullptr,
-                       order_.old_cell, 0, count);
+        return numbers(told_order(begin, old_node, by, static_cast<Id>(mesh_.point_count())),
+                       guesses ? &cells_around_ : nullptr, order_.old_cell, 0, count);
     }
 
     // The companions of a block, of which the first `turned` may be turned; `before`: those of the
@@ -136,8 +147,8 @@ class OrderCodes {
             if (!code_start(n, lowest, turn)) return false;
             std::rotate(nodes, nodes + (n - turn) % n, nodes + n);
         }
-        return numbers(told_order(begin, old_node, by), nullptr, order_.old_companion, before,
-                       count);
+        return numbers(told_order(begin, old_node, by, static_cast<Id>(mesh_.point_count())),
+                       nullptr, order_.old_companion, before, count);
     }
 
   private:
@@ -173,7 +184,7 @@ class OrderCodes {
     std::vector<Id> as_used() const {
         std::vector<Id> told;
         told.reserve(mesh_.point_count());
-        std::vector<bool> used(mesh_.point_count(), false);
+        std::vector<std::uint8_t> used(mesh_.point_count(), 0);
         std::vector<Id> old_first;
         for (const Index c : inverse_of(order_.old_cell, mesh_.cell_count())) {
             const auto cell = mesh_.cell(c);
@@ -183,7 +194,7 @@ class OrderCodes {
                 old_first[old_corner(mesh_.kind, order_.turn[c], n, i)] = static_cast<Id>(cell[i]);
             for (const Id p : old_first) {
                 if (!used[p]) told.push_back(p);
-                used[p] = true;
+                used[p] = 1;
             }
         }
         for (Id p = 0; p < used.size(); ++p)

@@ -10,14 +10,14 @@ namespace ravel {
 class RankTree {
   public:
     explicit RankTree(std::uint32_t count)
-        : sum_(std::size_t{count} + 1), has_(count, true), left_(count) {
+        : sum_(std::size_t{count} + 1), has_(count, 1), left_(count) {
         for (std::uint32_t i = 1; i <= count; ++i) sum_[i] = i & (~i + 1);
     }
 
     std::uint32_t left() const { return left_; }
-    bool has(std::uint32_t number) const { return number < has_.size() && has_[number]; }
+    bool has(std::uint32_t number) const { return number < has_.size() && has_[number] != 0; }
     void take(std::uint32_t number) {
-        has_[number] = false;
+        has_[number] = 0;
         --left_;
         for (std::size_t i = std::size_t{number} + 1; i < sum_.size(); i += i & (~i + 1)) --sum_[i];
     }
@@ -40,7 +40,7 @@ class RankTree {
 
   private:
     std::vector<std::uint32_t> sum_;
-    std::vector<bool> has_;
+    std::vector<std::uint8_t> has_;
     std::uint32_t left_;
 };
 
