@@ -71,7 +71,9 @@ class VertexIndex {
         std::array<std::size_t, 3> steps;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int64_t low = cube(p[k] * scale_ - reach_);
-            steps[k] = static_cast<std::size_t>(cube(p[k] * scale_ + reach_) - low) + 1;
+            // Where doubles are wider apart than cubes, four or five would lie between.
+            const std::int64_t high = std::min(cube(p[k] * scale_ + reach_), low + 2);
+            steps[k] = static_cast<std::size_t>(high - low) + 1;
             for (std::size_t i = 0; i < steps[k]; ++i)
                 parts[k][i] = (static_cast<std::uint64_t>(low) + i) * kFactor[k];
         }
