@@ -63,7 +63,7 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
 
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored) {
-    constexpr std::size_t kMostSamples = 3 * 16384;
+    constexpr std::size_t kVertices = 8192;  // of a configuration that are looked at, or a share
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
     for (const Stencil& s : stencils) ++total[static_cast<std::size_t>(s.configuration)];
@@ -72,7 +72,7 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
         const Stencil& stencil = stencils[v];
         const auto c = static_cast<std::size_t>(stencil.configuration);
         if (stencil.configuration == Configuration::seed || (!skip.empty() && skip[v])) continue;
-        const std::size_t stride = 3 * total[c] / kMostSamples + 1;
+        const std::size_t stride = std::min<std::size_t>(total[c] / kVertices, 31) + 1;
         if (seen[c]++ % stride != 0) continue;
         const Features f = features_of(stencil, values, mirrored);
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -386,7 +386,7 @@ bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places
             kept += places[v][axis] == level;
         }
     }
-    return 8 * kept > shared;
+    return 32 * kept > shared;
 }
 
 Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
@@ -491,7 +491,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         plan.format.looks_far = true;
         offer();
     }
-    if (vertices < kLarge / 4 || has_level_faces(record, places)) {
+    if (vertices < kSmall || has_level_faces(record, places)) {
         plan.format.has_levels = true;
         offer();
     }
