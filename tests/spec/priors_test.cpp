@@ -8,8 +8,7 @@
 #include <string>
 
 #include "predict/priors.h"
-#include "predict/residual_context.h"
-#include "walk/contexts.h"
+#include "spec/context_names.h"
 #include "walk/priors.h"
 
 using namespace ravel;
@@ -18,41 +17,10 @@ namespace {
 
 const std::string kFile = std::string(RAVEL_SPEC_FOLDER) + "/priors.txt";
 
-struct NamedBlock {
-    const char* name;
-    ContextBlock block;
-};
-
-const std::vector<NamedBlock> kSurface{
-    {"kDegree", surface::kDegree},       {"kDegreeRest", surface::kDegreeRest},
-    {"kZipRight", surface::kZipRight},   {"kZipLeft", surface::kZipLeft},
-    {"kZipMiddle", surface::kZipMiddle}, {"kNew", surface::kNew},
-    {"kOldNear", surface::kOldNear},     {"kOldSide", surface::kOldSide},
-    {"kOldSteps", surface::kOldSteps},   {"kOldFar", surface::kOldFar},
-    {"kBorder", surface::kBorder},       {"kFlip", surface::kFlip},
-    {"kCopy", surface::kCopy},           {"kCopyOf", surface::kCopyOf}};
-const std::vector<NamedBlock> kTet{
-    {"kLowest", tet::kLowest}, {"kNew", tet::kNew},           {"kNext", tet::kNext},
-    {"kNear", tet::kNear},     {"kNearRank", tet::kNearRank}, {"kOldFar", tet::kOldFar},
-    {"kGlue", tet::kGlue},     {"kBorder", tet::kBorder},     {"kFlip", tet::kFlip},
-    {"kCopy", tet::kCopy},     {"kCopyOf", tet::kCopyOf}};
-using R = ResidualContexts;
-const std::vector<NamedBlock> kPositions{{"size", R::size},
-                                         {"second", R::second},
-                                         {"outlier", R::outlier},
-                                         {"echo", R::echo},
-                                         {"same", R::same},
-                                         {"minus_zero", R::minus_zero},
-                                         {"whole_zero", R::whole_zero},
-                                         {"leading", R::leading},
-                                         {"rest_zero", R::rest_zero},
-                                         {"level", R::level},
-                                         {"follow", R::follow},
-                                         {"follow_same", R::follow_same}};
-
 // Fails unless the blocks fill the contexts without a gap.
 void add_stream(std::string& text, const char* name, unsigned seen,
-                const std::vector<NamedBlock>& blocks, std::string_view letters, Context count) {
+                const std::vector<test::NamedBlock>& blocks, std::string_view letters,
+                Context count) {
     text += "\nstream " + std::string(name) + " " + std::to_string(seen) + "\n";
     Context at = 0;
     for (const auto& [block_name, block] : blocks) {
@@ -81,10 +49,11 @@ std::string text_of_code() {
         "#   block NAME BASE A,B,C,D    contexts BASE .. BASE + A*B*C*D - 1, the last coordinate "
         "fastest\n"
         "#   letters                    one per context, in lines of 96 at most\n";
-    add_stream(text, "surface", surface::kPriorSeen, kSurface, surface::kPriors,
+    add_stream(text, "surface", surface::kPriorSeen, test::surface_blocks(), surface::kPriors,
                surface::kContexts);
-    add_stream(text, "tet", tet::kPriorSeen, kTet, tet::kPriors, tet::kContexts);
-    add_stream(text, "positions", kResidualPriorSeen, kPositions, kResidualPriors, R::count);
+    add_stream(text, "tet", tet::kPriorSeen, test::tet_blocks(), tet::kPriors, tet::kContexts);
+    add_stream(text, "positions", kResidualPriorSeen, test::position_blocks(), kResidualPriors,
+               ResidualContexts::count);
     return text;
 }
 

@@ -1,0 +1,162 @@
+#include "spec/valid_files.h"
+
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "make/make_mesh.h"
+#include "ravel/ravel.h"
+
+namespace ravel::test {
+namespace {
+
+Mesh made(const std::string& recipe) {
+    Result<Mesh> mesh = make::make_mesh(recipe);
+    if (!mesh) throw std::runtime_error(mesh.error().detail);
+    return std::move(*mesh);
+}
+
+// Coordinates become change(number of the coordinate, coordinate), as float64.
+template <class Change>
+Mesh with_coordinates(Mesh mesh, const Change& change) {
+    Array wide = make_array(Scalar::f64, 3, mesh.point_count());
+    for (std::size_t i = 0; i < 3 * mesh.point_count(); ++i)
+        wide.as<double>()[i] = change(i, mesh.positions.scalar == Scalar::f32
+                                             ? static_cast<double>(mesh.positions.as<float>()[i])
+                                             : mesh.positions.as<double>()[i]);
+    mesh.positions = std::move(wide);
+    return mesh;
+}
+
+Mesh polygon_of(std::size_t corners) {
+    Mesh mesh;
+    mesh.positions = make_array(Scalar::f32, 3, corners);
+    mesh.corner_begin = {0, corners};
+    for (std::size_t i = 0; i < corners; ++i) {
+        const auto k = static_cast<float>(i);
+        mesh.corners.push_back(i);
+        mesh.positions.as<float>()[3 * i] = k;
+        mesh.positions.as<float>()[3 * i + 1] = k * (static_cast<float>(corners) - k) / 2;
+    }
+    return mesh;
+}
+
+EncodeOptions bits(int count) {
+    EncodeOptions options;
+    options.position_bits = count;
+    return options;
+}
+
+}  // namespace
+
+std::vector<ValidFile> valid_files() {
+    std::vector<ValidFile> all;
+    const auto add = [&](const char* name, const char* shows, const Mesh& mesh,
+                         const EncodeOptions& options = {}) {
+        Result<Encoded> packed = encode(mesh, options);
+        if (!packed) throw std::runtime_error(std::string(name) + ": " + packed.error().detail);
+        all.push_back({name, shows, std::move(packed->bytes)});
+    };
+    const auto add_made = [&](const char* name, const char* shows, const char* recipe,
+                              const EncodeOptions& options = {}) {
+        add(name, shows, made(recipe), options);
+    };
+    EncodeOptions ordered = bits(8), lattice;
+    ordered.keep_order = true;
+    lattice.lattice = 0x1p-4;
+
+    add_made("empty", "no cells, no points", "tiny:empty");
+    add_made("empty-tets", "no cells, five points that no cell uses", "tiny:tet-points");
+    add_made("quad", "one cell, lossless", "tiny:quad");
+    add("two-quads", "the worked example of chapter 17",
+        with_coordinates(made("tiny:two-quads"),
+                         [](std::size_t i, double) {
+                             constexpr double kPoints[18] = {0, 0, 0, 1, 0, 0, 1, 1, 0,
+                                                             0, 1, 0, 3, 0, 0, 3, 1, 0};
+                             return kPoints[i];
+                         }),
+        [] {
+            EncodeOptions options;
+            options.lattice = 1;
+            options.float32 = true;
+            return options;
+        }());
+    add("polygon-of-11", "kDegreeRest is not asked for where all degrees are equal",
+        polygon_of(11));
+    add_made("degrees", "polygons of 0, 1, 2 and 4 corners", "tiny:degrees-0-1-2");
+    add_made("mixed", "quads with triangles, pentagons and hexagons among them, on a grid",
+             "polygons:mixed,size=5x4,seed=2", bits(9));
+    add_made("triangles", "a sheet of triangles", "grid:size=3x3,triangles,jitter=0.2", bits(10));
+    add_made("torus", "a closed surface, on a grid", "torus:size=6x4", bits(10));
+    add_made("moebius", "a one-sided band: copies", "moebius:size=6x1", bits(7));
+    add_made("fan-of-three", "three quads at one edge: copies and flips", "tiny:fan-of-three");
+    add_made("flipped", "neighbours of opposite orientation: a flip", "tiny:flipped");
+    add_made("bow-tie", "a corner twice in one polygon", "tiny:bow-tie");
+    add_made("soup", "random polygons with every kind of dirt", "soup:polygons=14,seed=3", bits(8));
+    add_made("two-apart", "two components", "tiny:two-apart");
+    add_made("hexagons", "a honeycomb: old corners, links", "polygons:hex,size=4x4", bits(9));
+    add_made("holes", "quads with holes, lossless float64", "terrain:size=4x4,holes=5,double");
+    add("decimals", "decimals of three places, a zero that is negative",
+        with_coordinates(made("grid:size=3x2"), [](std::size_t i, double x) {
+            return i == 5 ? -0.0 : std::nearbyint(1000 * x + 7 * double(i % 5)) / 1000;
+        }));
+    add("digits", "decimals of three significant digits",
+        with_coordinates(made("grid:size=3x2"), [](std::size_t i, double) {
+            const double d = 100 + double(i * i % 900);
+            return i % 7 == 2 ? d / 1e6 : i % 7 == 4 ? -d / 100 : d * (i % 2 == 0 ? 1 : 10);
+        }));
+    add("binary", "float64 of all 53 bits",
+        with_coordinates(made("tiny:quad"),
+                         [](std::size_t i, double x) { return x + std::sqrt(double(i + 2)); }));
+    add("outliers", "a grid, and a point that is not a number, one at infinity",
+        with_coordinates(made("grid:size=3x2"),
+                         [](std::size_t i, double x) {
+                             return i == 4    ? std::bit_cast<double>(0x7FF8000000001234)
+                                    : i == 18 ? HUGE_VAL
+                                              : x;
+                         }),
+        bits(6));
+    add_made("lattice", "multiples of a sixteenth", "terrain:size=4x3,double", lattice);
+    add("mirrored", "a sheet and its mirror image: echoes",
+        with_coordinates(made("grid:size=16x3"), [](std::size_t i, double x) {
+            // Column c of 17, mirrored at the ninth.
+            const std::size_t p = i / 3, c = p % 17, d = c < 8 ? 16 - c : c;
+            const std::size_t rough = (p / 17 * 17 + d) * 7919 * 104729 % 100003;
+            if (i % 3 == 1) return std::floor(1000 * x) + double(rough % 997);
+            if (i % 3 == 2) return double(rough);
+            const double side = d == 8 ? 0 : double((d - 8) * 1000 + rough % 499);
+            return c < 8 ? -side : side;
+        }));
+    add("parts", "a rough sheet six times: followers",
+        with_coordinates(made("grid:size=4x3,copies=3"), [](std::size_t i, double) {
+            const std::size_t p = i / 3, part = p / 20, q = p % 20;
+            const std::size_t rough = (q * 3 + i % 3) * 7919 % 41;
+            return double(i % 3 == 0   ? q % 5 * 50 + part * 400
+                          : i % 3 == 1 ? q / 5 * 50 + part * 11
+                                       : 0) +
+                   double(rough);
+        }));
+    add_made("sphere", "fitted weights", "sphere:subdivide=4,bumps=0.2", bits(14));
+    add_made("attributes", "attributes on points, cells and corners, names",
+             "polygons:mixed,size=3x2,attributes", bits(6));
+    add_made("order", "a kept order of points, cells and corners", "torus:size=5x4,shuffle",
+             ordered);
+    add_made("tet", "one tet, lossless", "tiny:tet");
+    add_made("two-tets", "two tets", "tiny:two-tets");
+    add_made("tets-on-one-face", "three tets at one facet: copies, flips", "tiny:tets-on-one-face");
+    Mesh turned = made("tiny:two-tets");
+    std::swap(turned.corners[6], turned.corners[7]);
+    add("tet-flipped", "a tet turned inside out: a flip", turned);
+    add_made("flat-tet", "tets that repeat a corner", "tiny:flat-tet");
+    add_made("box", "tets of a box, on a grid", "tets:box=2x1x1", bits(9));
+    add_made("ball", "tets of a ball, lossless", "tets:ball=2,jitter=0.1");
+    add_made("shell", "tets with a hole, on a grid", "tets:shell=3,jitter=0.1", bits(10));
+    add_made("many-tets", "fitted weights", "tets:ball=6,jitter=0.2,seed=3", bits(14));
+    add_made("tet-soup", "random tets with every kind of dirt", "soup:tets=10,seed=4", bits(9));
+    add_made("companions", "triangles, lines and attributes beside tets",
+             "tets:box=1x1x2,companions,attributes", bits(6));
+    add_made("tet-order", "a kept order of tets", "tets:box=1,shuffle", ordered);
+    return all;
+}
+
+}  // namespace ravel::test
