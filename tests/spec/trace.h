@@ -27,8 +27,4 @@ struct Trace {
 };
 Trace trace_of(std::span<const std::byte> file, const TraceLimits& limits = {});
 
-// The head of the section `positions`, and where its bits begin.
-PositionFormat position_format_of(const Bytes& positions, const Head& head, const BlockHead& block,
-                                  std::size_t& bits_at);
-
 }  // namespace ravel::test

@@ -6,7 +6,7 @@
 #include "decode/walk_driver.h"
 #include "entropy/flag_encoder.h"
 #include "spec/context_names.h"
-#include "spec/trace.h"
+#include "spec/tell_fields.h"
 #include "support/file_parts.h"
 #include "walk/priors.h"
 #include "walk/surface_walk.h"

@@ -1,0 +1,170 @@
+// Rows 29 to 46 of chapter 14.
+#include "spec/invalid_maker.h"
+#include "spec/twist.h"
+
+namespace ravel::test {
+
+void InvalidMaker::walks() {
+    using Flag = std::optional<bool>;
+    using Number = std::optional<std::uint64_t>;
+    add(29, "later", "a copy of itself",
+        with_twisted_walk(valid("moebius"), {{}, [](const Question& q) -> Number {
+                                                 if (q.block != "kCopyOf") return {};
+                                                 return 2 *
+                                                        std::uint64_t{q.walked.vertex_count - 1};
+                                             }}));
+    const Twist rest{
+        [](const Question& q) -> Flag { return q.block == "kDegree" ? Flag(false) : Flag(); },
+        [](const Question& q) -> Number {
+            return q.block == "kDegreeRest" ? Number(1000) : Number();
+        }};
+    add(30, "rest", "kDegreeRest is 1000", with_twisted_walk(valid("degrees"), rest));
+    const auto second_cell = [](const Question& q) { return q.walked.cell_count() > 0; };
+    const Twist one{[&](const Question& q) -> Flag {
+                        return q.block == "kDegree" && second_cell(q) ? Flag(false) : Flag();
+                    },
+                    [](const Question& q) -> Number {
+                        return q.block == "kDegreeRest" ? Number(1) : Number();
+                    }};
+    add(31, "one", "one corner behind a gate", with_twisted_walk(valid("mixed"), one));
+    // From the first old corner on; a middle corner that is not new is old.
+    const auto old_corner = [](bool near, auto number) {
+        return Twist{[=](const Question& q) -> Flag {
+                         if (q.block == "kNew" && q.walked.cell_count() > 3) return false;
+                         if (q.block == "kOldNear") return near;
+                         return {};
+                     },
+                     [=](const Question& q) -> Number {
+                         if (q.block == "kOldSteps" || q.block == "kOldFar") return number(q);
+                         return {};
+                     }};
+    };
+    add(32, "steps", "64 steps",
+        with_twisted_walk(valid("torus"),
+                          old_corner(true, [](const Question&) { return std::uint64_t{64}; })));
+    const auto base = [](const Question& q) {
+        return std::uint64_t{q.walked.begin(q.walked.cell_count() - 1)};
+    };
+    add(33, "age", "a facet older than the first",
+        with_twisted_walk(valid("torus"), old_corner(false, base)));
+    add(34, "gone", "the entry facet of cell 1",
+        with_twisted_walk(valid("torus"), old_corner(false, [=](const Question& q) {
+                              return base(q) - 1 - q.walked.begin(1);
+                          })));
+    const auto apex = [](bool near, auto number) {
+        return Twist{[=](const Question& q) -> Flag {
+                         if (q.walked.cell_count() < 2) return {};
+                         if (q.block == "kNear") return near;
+                         if (q.block == "kLowest" || q.block == "kNew" || q.block == "kNext")
+                             return false;
+                         return {};
+                     },
+                     [=](const Question& q) -> Number {
+                         if (q.block == "kOldFar" || q.block == "kNearRank") return number(q);
+                         return {};
+                     }};
+    };
+    add(35, "gate", "the apex is corner 0",
+        with_twisted_walk(valid("box"), apex(false, [](const Question& q) {
+                              const Id corner =
+                                  q.walked.vertex[q.walked.begin(q.walked.cell_count() - 1)];
+                              return std::uint64_t{q.walked.vertex_count - 1 - corner};
+                          })));
+    add(36, "rank", "rank 64", with_twisted_walk(valid("box"), apex(true, [](const Question&) {
+                                                     return std::uint64_t{64};
+                                                 })));
+    add(37, "age", "an apex older than vertex 0",
+        with_twisted_walk(valid("box"), apex(false, [](const Question& q) {
+                              return std::uint64_t{q.walked.vertex_count};
+                          })));
+}
+
+void InvalidMaker::positions() {
+    const auto head = [&](int row, const char* name, const char* says, const char* file,
+                          std::size_t at, unsigned value) {
+        add(row, name, says,
+            raw_changed(file, SectionId::positions, [&](Bytes& raw) { raw[at] = byte(value); }));
+    };
+    head(38, "bit-0", "bit 0 of flags", "two-quads", 0, 1);
+    head(38, "base", "a decimal base without lossless", "two-quads", 0, 16);
+    head(38, "base-3", "base is 3", "decimals", 0, 48);
+    head(39, "places", "23 decimal places", "decimals", 2, 46);
+    head(39, "digits", "18 digits", "digits", 3, 18);
+    // flags, fitted, places, digits; then echo_count, look, mirrored, offsets.
+    const auto echoes = [](unsigned count, unsigned look, unsigned mirrored, std::int64_t offset) {
+        return [=](Bytes& raw) {
+            ByteWriter out;
+            out.u8(16 | 64);
+            out.u8(0);
+            out.varint(0);
+            out.u8(0);
+            out.u8(static_cast<std::uint8_t>(count));
+            out.u8(static_cast<std::uint8_t>(look));
+            for (unsigned e = 0; e < count; ++e) {
+                out.u8(static_cast<std::uint8_t>(mirrored));
+                out.varint(zigzag(offset));
+                out.varint(0);
+                out.varint(0);
+            }
+            raw = out.take();
+        };
+    };
+    constexpr std::int64_t kMost = std::int64_t{1} << 53;
+    const auto echo = [&](const char* name, const char* says, auto change) {
+        add(40, name, says, raw_changed("quad", SectionId::positions, change));
+    };
+    echo("none", "no echoes", echoes(0, 3, 0, 0));
+    echo("nine", "nine echoes", echoes(9, 3, 0, 0));
+    echo("cubes", "cube_bits is 53", echoes(1, 53, 0, 0));
+    echo("mirrored", "mirrored is 8", echoes(1, 3, 8, 0));
+    echo("offset", "an offset of 2^53 + 1", echoes(1, 3, 1, kMost + 1));
+    add(41, "weight", "a weight of 32768",
+        raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
+            ByteWriter out;
+            out.u8(0);
+            out.u8(1);  // of seed
+            out.varint(zigzag(32768));
+            out.varint(0);
+            out.raw(std::span(raw).subspan(2));
+            raw = out.take();
+        }));
+    const auto numbers = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        Position p;
+        p[0].whole = x, p[1].whole = y, p[2].whole = z;
+        return p;
+    };
+    add(42, "grid", "2^40 on a grid",
+        with_positions(quads(), {{numbers(std::int64_t{1} << 40, 0, 0)}, {}, {}}));
+    add(42, "whole", "-2^53", with_positions(valid("decimals"), {{numbers(-kMost, 0, 0)}, {}, {}}));
+    // Vertex 2 is guessed where vertex 1 is; the echo of vertex 0 lies beyond.
+    add(43, "echo", "an echo at 2^53 + 1",
+        with_positions(valid("quad"), {{numbers(-1, 0, 0), numbers(kMost - 1, 0, 0), {}},
+                                       {{"echo", true}, {"same", true}},
+                                       echoes(1, 4, 1, kMost)}));
+    const auto form = [](int places, int digits) {
+        return [=](Bytes& raw) {
+            ByteWriter out;
+            out.u8(16);
+            out.u8(0);
+            out.varint(zigzag(places));
+            out.u8(static_cast<std::uint8_t>(digits));
+            raw = out.take();
+        };
+    };
+    Position small{};
+    small[0].rest = 5;
+    small[0].zeros = 3;
+    add(44, "zero", "a rest of 0 behind whole_zero",
+        with_positions(valid("digits"), {{Position{}}, {{"whole_zero", false}}, form(0, 3)}));
+    small[0].rest = 1023;
+    add(44, "ten", "a rest of 1023 with three digits",
+        with_positions(valid("digits"), {{small}, {}, form(0, 3)}));
+    small[0].rest = 123;
+    add(45, "places", "17 places, 3 zeros and 3 digits",
+        with_positions(valid("digits"), {{small}, {}, form(17, 3)}));
+    add(46, "origin", "positions end in place_origin",
+        raw_changed("tet", SectionId::positions, [](Bytes& raw) { raw.resize(12); }),
+        Code::truncated);
+}
+
+}  // namespace ravel::test
