@@ -65,8 +65,13 @@ Bytes write_head(const Head& head) {
         out.text(a.name);
         out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(a.place) | (a.indexed ? 8u : 0u) |
                                          static_cast<unsigned>(a.scalar) << 4));
-        out.varint(std::uint64_t{a.arity} << 1 | (a.references.empty() ? 0 : 1));
+        out.varint(std::uint64_t{a.arity} << 2 | (a.bound > 0 ? 2 : 0) |
+                   (a.references.empty() ? 0 : 1));
         out.varint(a.tuples);
+        if (a.bound > 0) {
+            out.f64(a.bound);
+            out.f64(a.error);
+        }
         if (!a.references.empty()) out.varint(a.references.size());
         for (const Reference& r : a.references) {
             out.varint(std::uint64_t{r.component} << 1 | (r.place == Place::cell ? 1 : 0));
@@ -107,8 +112,15 @@ Result<Head> read_head(ByteReader& in) {
         AttributeHead a;
         a.name = in.text();
         const unsigned kind = in.u8();
-        const std::uint64_t width = in.varint(), arity = width >> 1;
+        const std::uint64_t width = in.varint(), arity = width >> 2;
         a.tuples = in.varint();
+        if ((width & 2) != 0) {
+            a.bound = in.f64();
+            a.error = in.f64();
+            const bool sane = std::isfinite(a.bound) && a.bound > 0 && a.error >= 0 &&
+                              a.error <= a.bound && kind >> 4 >= static_cast<unsigned>(Scalar::f32);
+            if (in.ok() && !sane) return bad("the bound of an attribute makes no sense");
+        }
         const std::uint64_t references = width & 1 ? in.varint() : 0;
         if (references > in.left() / 2) return bad("more references than the head has room for");
         a.references.reserve(references);

@@ -19,6 +19,8 @@ struct AttributeHead {
     bool indexed = false;
     Index tuples = 0;
     std::vector<Reference> references;
+    double bound = 0;  // 0: exact values
+    double error = 0;
 };
 
 struct Head {

@@ -43,7 +43,7 @@ class Reader {
 
     Status read_head_of(const AttributeHead& head, AttributeCoding& coding) {
         const bool indexed = head.indexed && head.place != Place::mesh;
-        if (!read_coding(in_, coding, indexed, head.scalar) || coding.old_order)
+        if (!read_coding(in_, coding, indexed, head.scalar))
             return corrupt("an attribute is coded in a way this version does not know");
         const Index elements = element_count(mesh_, head.place);
         const bool small = elements < kMostElements && head.tuples < kMostElements;
@@ -53,7 +53,8 @@ class Reader {
         if (!sane || (!small && (coding.tuples != Tuples::own || !coding.planes)) ||
             (coding.tuples == Tuples::flooded && head.place != Place::cell &&
              head.place != Place::companion) ||
-            (!indexed && coding.pool > elements) || (coding.field.unit_length && head.arity != 3))
+            (!indexed && coding.pool > elements) ||
+            ((coding.field.unit_length || coding.field.octahedral > 0) && head.arity != 3))
             return corrupt("an attribute has not one tuple per element, or what it can't have");
         return Done{};
     }

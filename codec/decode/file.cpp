@@ -110,7 +110,7 @@ Result<FileInfo> inspect(std::span<const std::byte> bytes) {
         if (section.id > SectionId::block)
             info.sections.push_back({name_of(section.id), section.bytes.size(), section.raw_size});
     for (const AttributeHead& a : head.attributes)
-        info.attributes.push_back({a.name, a.place, a.scalar, a.arity});
+        info.attributes.push_back({a.name, a.place, a.scalar, a.arity, a.bound, a.error});
     return info;
 }
 

@@ -48,6 +48,9 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
             return corrupt("an order of more companions than have one");
         need += 88 * block.cell_count + 8 * block.nodes.size();
     }
+    // A pool is told if elements have an index into it.
+    for (const Attribute& a : ground.mesh.attributes)
+        need += a.index.empty() ? 0 : 64 * a.values.count();
     if (!blocks.empty()) need += 8 * ground.mesh.point_count();
     if (need > budget)
         return Error{Code::limit_exceeded, in.at(), "the order needs more memory than allowed"};
@@ -66,6 +69,13 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
     for (std::size_t b = 0; b < blocks.size() && sane; ++b) {
         sane = codes.companions(blocks[b], turned[b], before, by[b]);
         before += blocks[b].cell_count;
+    }
+    order.old_tuple.resize(ground.mesh.attributes.size());
+    for (std::size_t i = 0; i < order.old_tuple.size() && sane; ++i) {
+        const Attribute& a = ground.mesh.attributes[i];
+        if (a.index.empty()) continue;
+        order.old_tuple[i].resize(a.values.count());
+        sane = codes.tuples(order.old_tuple[i]);
     }
     if (!sane || !bits.finished() || !in.ok()) return corrupt("the order makes no sense");
     return order;
@@ -106,7 +116,8 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
     }
     const std::vector<Index> new_companion =
         inverse_of(order.old_companion, order.old_companion.size());
-    for (const Attribute& attribute : mesh.attributes) {
+    for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
+        const Attribute& attribute = mesh.attributes[a];
         Attribute moved = attribute;
         const std::vector<Index>* from = attribute.place == Place::point       ? &new_point
                                          : attribute.place == Place::cell      ? &new_cell
@@ -119,6 +130,12 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
             else
                 for (std::size_t i = 0; i < moved.index.size(); ++i)
                     moved.index[i] = attribute.index[(*from)[i]];
+        }
+        if (!moved.index.empty()) {
+            const std::vector<Index>& old_tuple = order.old_tuple[a];
+            moved.values = gather(moved.values, inverse_of(old_tuple, old_tuple.size()));
+            for (Index& i : moved.index)
+                if (i != kNoIndex) i = old_tuple[i];
         }
         renumber(moved, order.old_point, order.old_cell);
         out.attributes.push_back(std::move(moved));

@@ -48,25 +48,30 @@ Sharing sharing_of(const Attribute& attribute, bool pool) {
 // Everything that one attribute puts into the section.
 struct Plan {
     AttributeCoding coding;
-    std::vector<Id> tuple;  // as in Sharing
-    Array values;           // that are stored, in their order
+    std::vector<Id> tuple;       // as in Sharing
+    Array values;                // that are stored, in their order
+    std::vector<Index> sources;  // of a pool: where they were in it
     FieldTruth truth;
 };
 
 class Writer {
   public:
-    Writer(const Ground<Walked>& ground, const std::vector<Id>& marked)
-        : ground_(ground), mesh_(ground.mesh), marked_(marked) {}
+    Writer(const Ground<Walked>& ground, const std::vector<Id>& marked,
+           const std::vector<AttributeGrid>& grids)
+        : ground_(ground), mesh_(ground.mesh), marked_(marked), grids_(grids) {}
 
-    Bytes run() {
+    Bytes run(std::vector<std::vector<Index>>& old_tuple) {
         ByteWriter out, planes;
         FlagEncoder bits;
-        for (const Attribute& attribute : mesh_.attributes) {
-            Plan p = plan(attribute);
+        for (std::size_t i = 0; i < mesh_.attributes.size(); ++i) {
+            const Attribute& attribute = mesh_.attributes[i];
+            Plan p = plan(attribute, grids_[i].bound > 0 ? &grids_[i].format : nullptr);
             if (p.coding.planes)
                 planes.raw(planes_of(p.values));
             else
                 p.truth = truth_of(p.values, p.coding.field);
+            if (attribute.index.empty()) p.sources.clear();
+            old_tuple.push_back(std::move(p.sources));
             write_coding(out, p.coding, is_pool(mesh_, attribute));
             write_bits(bits, attribute, p);
         }
@@ -122,8 +127,8 @@ class Writer {
     }
 
     // The tuples in the order of their use, then those that are not used.
-    static Array in_order_of_use(const Array& values, const Sharing& sharing,
-                                 const std::vector<Id>& by_use) {
+    static std::vector<Index> in_order_of_use(const Sharing& sharing,
+                                              const std::vector<Id>& by_use) {
         std::vector<Index> from(sharing.sources.size(), kNoIndex), rest;
         std::vector<bool> used(sharing.sources.size(), false);
         for (std::size_t e = 0; e < by_use.size(); ++e) {
@@ -135,10 +140,10 @@ class Writer {
         for (const bool u : used) next += u;
         for (std::size_t t = 0; t < used.size(); ++t)
             if (!used[t]) from[next++] = sharing.sources[t];
-        return gather(values, from);
+        return from;
     }
 
-    Plan plan(const Attribute& attribute) {
+    Plan plan(const Attribute& attribute, const FieldFormat* grid) {
         const bool pool = is_pool(mesh_, attribute);
         const Array& values = attribute.values;
         Plan best;
@@ -148,7 +153,7 @@ class Writer {
         if (!small && !pool) return best;
         std::size_t least = 0;
         if (!pool) {
-            const FieldPlan own = plan_field(values, around(attribute.place));
+            const FieldPlan own = plan_field(values, around(attribute.place), grid);
             best.coding.planes = own.planes;
             best.coding.field = own.format;
             least = own.bytes;
@@ -169,16 +174,18 @@ class Writer {
             BitsWriter coder{bits};
             if (pool || tuples > 1)
                 code_sharing(coder, attribute, how, tuples, pool, trial.get(), by_use);
-            Array stored = in_order_of_use(values, sharing, by_use);
+            std::vector<Index> sources = in_order_of_use(sharing, by_use);
+            Array stored = gather(values, sources);
             PoolAround tuples_around(around(attribute.place), by_use);
-            const FieldPlan field = plan_field(stored, tuples_around);
+            const FieldPlan field = plan_field(stored, tuples_around, grid);
             const std::size_t bytes = bits.finish().size() + field.bytes;
             if (!first && bytes >= least) continue;
             first = false;
             least = bytes;
-            best = {{how, field.planes, false, tuples, field.format},
+            best = {{how, field.planes, tuples, field.format},
                     sharing.tuple,
                     std::move(stored),
+                    pool ? std::move(sources) : std::vector<Index>(),
                     {}};
         }
         return best;
@@ -202,6 +209,7 @@ class Writer {
     const Ground<Walked>& ground_;
     const Mesh& mesh_;
     const std::vector<Id>& marked_;
+    const std::vector<AttributeGrid>& grids_;
     InOrder in_order_;
     std::unique_ptr<PointsAround<Walked>> points_;
     std::unique_ptr<CellsAround<Walked>> cells_;
@@ -217,8 +225,10 @@ bool is_pool(const Mesh& mesh, const Attribute& attribute) {
            (attribute.place != Place::mesh && element_count(mesh, attribute.place) == 0);
 }
 
-Bytes write_attributes(const Ground<Walked>& ground, const std::vector<Id>& marked) {
-    return Writer(ground, marked).run();
+Bytes write_attributes(const Ground<Walked>& ground, const std::vector<Id>& marked,
+                       const std::vector<AttributeGrid>& grids,
+                       std::vector<std::vector<Index>>& old_tuple) {
+    return Writer(ground, marked, grids).run(old_tuple);
 }
 
 }  // namespace ravel

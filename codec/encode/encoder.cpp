@@ -66,7 +66,8 @@ std::vector<FlagModel> walk_models(CellKind kind) {
                : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen);
 }
 
-Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& options) {
+Head head_of(const Mesh& mesh, const PositionPlan& plan, const std::vector<AttributeGrid>& grids,
+             const EncodeOptions& options) {
     Head head;
     head.kind = mesh.kind;
     head.position_scalar = mesh.positions.scalar;
@@ -77,9 +78,12 @@ Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& op
     std::copy(plan.grid.origin.begin(), plan.grid.origin.end(), head.origin);
     head.bound = plan.bound;
     head.error = plan.error;
-    for (const Attribute& a : mesh.attributes)
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+        const Attribute& a = mesh.attributes[i];
         head.attributes.push_back({a.name, a.place, a.values.scalar, a.values.arity,
-                                   is_pool(mesh, a), a.values.count(), a.references});
+                                   is_pool(mesh, a), a.values.count(), a.references, grids[i].bound,
+                                   grids[i].error});
+    }
     return head;
 }
 
@@ -88,6 +92,7 @@ Head head_of(const Mesh& mesh, const PositionPlan& plan, const EncodeOptions& op
 Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     if (Status status = check_options(options); !status) return status.error();
     if (Status status = check_mesh(given); !status) return status.error();
+    if (Status status = check_attribute_options(given, options); !status) return status.error();
     Mesh rounded;
     if (options.float32 && given.positions.scalar == Scalar::f64) {
         rounded = given;
@@ -113,12 +118,14 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
 
     Reorder order = reorder_of(mesh, complex, record);
     StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, *plan);
+    const std::vector<AttributeGrid> grids = round_attributes(on_strip.mesh, options);
     const CompanionCodes companions = write_companions(on_strip, course.walked, order);
     Encoded encoded;
     encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
     encoded.connectivity_ideal_bytes = codes.out.ideal_bits() / 8;
     encoded.position_bound = plan->bound;
     encoded.position_error = plan->error;
+    for (const AttributeGrid& grid : grids) encoded.attribute_bounds.push_back(grid.bound);
     encoded.order = maps_of(order, mesh, options.keep_order);
     map_companions(order, options.keep_order, encoded.order);
 
@@ -128,7 +135,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const auto section = [&](SectionId id, const Bytes& raw) {
         write_section(out, id, raw, pack(raw, options.level));
     };
-    section(SectionId::head, write_head(head_of(mesh, *plan, options)));
+    section(SectionId::head, write_head(head_of(mesh, *plan, grids, options)));
     section(SectionId::block, write_block_head(block, mesh.kind));
     section(SectionId::connectivity, codes.out.finish());
     const std::vector<Index> unused(
@@ -136,8 +143,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     section(SectionId::positions, write_positions(*plan, complex, record, unused));
     if (!mesh.companions.empty()) section(SectionId::companions, companions.section);
     if (!mesh.attributes.empty())
-        section(SectionId::attributes,
-                write_attributes(on_strip.ground(course.walked), companions.marked));
+        section(SectionId::attributes, write_attributes(on_strip.ground(course.walked),
+                                                        companions.marked, grids, order.old_tuple));
     if (!mesh.tag_names.empty() || !mesh.notes.empty())
         section(SectionId::names, write_names(mesh));
     if (options.keep_order)

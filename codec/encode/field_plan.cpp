@@ -61,6 +61,35 @@ bool has_unit_length(const Array& values) {
     return 10 * unit > 9 * values.count();
 }
 
+// The number on a grid that decodes to exactly this value.
+std::optional<Number> grid_number(const FieldFormat& format, double x, Scalar scalar) {
+    const double whole = std::floor(x / format.step + 0.5);
+    if (!(std::abs(whole) < static_cast<double>(kMostWhole))) return {};
+    Number n;
+    n.whole = static_cast<std::int64_t>(whole);
+    const double again = grid_value(format.step, n.whole, scalar);
+    if (again != x || std::signbit(again) != std::signbit(x)) return {};
+    return n;
+}
+
+// The directions; those that do not decode to exactly these values are outliers.
+void find_directions(const Array& values, FieldFormat& format, FieldTruth& truth) {
+    for (std::size_t t = 0; t < values.count(); ++t) {
+        const Point3 given{value_at(values, 3 * t), value_at(values, 3 * t + 1),
+                           value_at(values, 3 * t + 2)};
+        const auto numbers = octahedral_numbers(given, format.octahedral);
+        const Point3 again = octahedral_direction(numbers, format.octahedral);
+        for (std::size_t k = 0; k < 2; ++k) truth.whole[3 * t + k] = numbers[k];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = values.scalar == Scalar::f32
+                                 ? static_cast<double>(static_cast<float>(again[k]))
+                                 : again[k];
+            if (x != given[k] || std::signbit(x) != std::signbit(given[k]))
+                truth.outlier[t] = format.has_outliers = true;
+        }
+    }
+}
+
 }  // namespace
 
 FieldTruth truth_of(const Array& values, FieldFormat& format) {
@@ -74,8 +103,15 @@ FieldTruth truth_of(const Array& values, FieldFormat& format) {
     }
     truth.negative.assign(count, false);
     truth.outlier.assign(values.count(), false);
+    if (format.octahedral > 0) {
+        find_directions(values, format, truth);
+        return truth;
+    }
     for (std::size_t i = 0; i < count; ++i) {
-        const std::optional<Number> n = number_of(format.unit, value_at(values, i), values.scalar);
+        const double x = value_at(values, i);
+        const std::optional<Number> n = format.numbers == FieldNumbers::grid
+                                            ? grid_number(format, x, values.scalar)
+                                            : number_of(format.unit, x, values.scalar);
         if (n) {
             truth.whole[i] = n->whole;
             truth.negative[i] = n->negative;
@@ -86,7 +122,7 @@ FieldTruth truth_of(const Array& values, FieldFormat& format) {
     return truth;
 }
 
-FieldPlan plan_field(const Array& values, Around& around) {
+FieldPlan plan_field(const Array& values, Around& around, const FieldFormat* grid) {
     const Array some = first_of(values, std::min(values.count(), kMostTried));
     FieldPlan best;
     best.bytes = pack(planes_of(some), kTrialLevel).size();
@@ -113,6 +149,7 @@ FieldPlan plan_field(const Array& values, Around& around) {
         if (!unit_length) return;
         format.by_angle = true;
         offer(format, truth);
+        if (format.octahedral > 0) return;
         if (best.planes || best.format.numbers != format.numbers) return;
         format = best.format;
         format.unit_length = true;
@@ -127,6 +164,7 @@ FieldPlan plan_field(const Array& values, Around& around) {
         format.unit = choose_numbers(values, false);
         format.numbers = FieldNumbers::unit;
         offer_numbers(format);
+        if (grid != nullptr) offer_numbers(*grid);
     }
     best.bytes = best.bytes * values.count() / some.count();
     return best;

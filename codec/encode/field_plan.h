@@ -17,6 +17,7 @@ struct FieldPlan {
 };
 
 // The smallest by trial, on the first of many tuples.
-FieldPlan plan_field(const Array& values, Around& around);
+// `grid`: of values that are rounded, else none.
+FieldPlan plan_field(const Array& values, Around& around, const FieldFormat* grid);
 
 }  // namespace ravel

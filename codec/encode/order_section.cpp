@@ -32,6 +32,7 @@ class Writer {
             codes.companions(blocks()[b], turned_[b], before, by[b]);
             before += blocks()[b].cell_count;
         }
+        for (std::vector<Index>& old : order_.old_tuple) codes.tuples(old);
         out.raw(bits.finish());
         return out.take();
     }

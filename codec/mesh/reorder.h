@@ -19,6 +19,8 @@ struct Reorder {
     std::vector<Index> old_companion;  // new companion -> old one, of the same block
     std::vector<std::uint32_t>
         companion_turn;  // new companion -> the old node it starts with; the others follow
+    // Per attribute, of pools that elements have an index into: new tuple -> old tuple.
+    std::vector<std::vector<Index>> old_tuple;
 };
 
 // Permutations of 0 1 2 3 in lexicographic order.

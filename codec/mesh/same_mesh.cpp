@@ -30,8 +30,11 @@ std::uint32_t degree_of(const Mesh& mesh, Index cell) {
 
 class Comparer {
   public:
-    Comparer(const Mesh& a, const Mesh& b, const OrderMaps& order, double bound)
-        : a_(a), b_(b), order_(order), bound_(bound) {}
+    Comparer(const Mesh& a, const Mesh& b, const OrderMaps& order, double bound,
+             std::span<const double> attribute_bounds)
+        : a_(a), b_(b), order_(order), bound_(bound), attribute_bounds_(attribute_bounds) {
+        out_.attribute_errors.resize(attribute_bounds.size());
+    }
 
     Comparison run() {
         connectivity();
@@ -132,13 +135,10 @@ class Comparer {
                 }
             return;
         }
-        const auto value = [](const Array& array, Index i) {
-            return array.scalar == Scalar::f32 ? static_cast<double>(array.as<float>()[i])
-                                               : array.as<double>()[i];
-        };
         for (Index p = 0; p < a_.point_count(); ++p)
             for (Index axis = 0; axis < 3; ++axis) {
-                const double u = value(x, 3 * p + axis), v = value(y, 3 * order_.point[p] + axis);
+                const double u = value_of(x, 3 * p + axis),
+                             v = value_of(y, 3 * order_.point[p] + axis);
                 const double error = std::abs(u - v);
                 if (std::isfinite(u) && std::isfinite(v))
                     out_.max_error = std::max(out_.max_error, error);
@@ -196,15 +196,28 @@ class Comparer {
         return true;
     }
 
-    static bool same_tuple(const Attribute& x, Index i, const Attribute& y, Index j) {
-        const std::size_t stride = x.values.stride();
-        return std::memcmp(x.values.bytes.data() + i * stride, y.values.bytes.data() + j * stride,
-                           stride) == 0;
+    bool same_tuple(const Attribute& x, Index i, const Attribute& y, Index j) {
+        const std::size_t stride = x.values.stride(), n = x.values.arity;
+        const bool same = std::memcmp(x.values.bytes.data() + i * stride,
+                                      y.values.bytes.data() + j * stride, stride) == 0;
+        const double bound = at_ < attribute_bounds_.size() ? attribute_bounds_[at_] : 0;
+        if (same || bound == 0 || !is_float(x.values.scalar)) return same;
+        for (std::size_t k = 0; k < n; ++k) {
+            const double error =
+                std::abs(value_of(x.values, i * n + k) - value_of(y.values, j * n + k));
+            if (!(error <= bound)) return false;
+            out_.attribute_errors[at_] = std::max(out_.attribute_errors[at_], error);
+        }
+        return true;
+    }
+    static double value_of(const Array& array, Index i) {
+        return array.scalar == Scalar::f32 ? static_cast<double>(array.as<float>()[i])
+                                           : array.as<double>()[i];
     }
 
     // The same tuple wherever it was the same, each with its values; those that no element has in
     // their order.
-    static bool same_pool(const Attribute& x, const Attribute& y, const std::vector<Index>* map) {
+    bool same_pool(const Attribute& x, const Attribute& y, const std::vector<Index>* map) {
         const Index tuples = x.values.count();
         std::vector<Index> there(tuples, kNoIndex), back(tuples, kNoIndex);
         for (Index e = 0; e < x.index.size(); ++e) {
@@ -218,6 +231,7 @@ class Comparer {
             if (there[i] != j || back[j] != i) return false;
         }
         for (Index i = 0, j = 0; i < tuples; ++i) {
+            out_.order_kept = out_.order_kept && (there[i] == i || there[i] == kNoIndex);
             if (there[i] == kNoIndex) {
                 while (back[j] != kNoIndex) ++j;
                 there[i] = j++;
@@ -230,11 +244,13 @@ class Comparer {
     void attributes() {
         out_.attributes_equal = a_.attributes.size() == b_.attributes.size();
         if (!out_.attributes_equal) return differ("the attributes are others");
-        for (std::size_t i = 0; i < a_.attributes.size(); ++i)
+        for (std::size_t i = 0; i < a_.attributes.size(); ++i) {
+            at_ = i;
             if (!same_attribute(a_.attributes[i], b_.attributes[i])) {
                 out_.attributes_equal = false;
                 differ("attribute \"" + a_.attributes[i].name + "\" came back changed");
             }
+        }
         const auto same_names = [](const TagName& x, const TagName& y) {
             return x.attribute == y.attribute && x.dimension == y.dimension && x.value == y.value &&
                    x.name == y.name;
@@ -254,6 +270,8 @@ class Comparer {
     const Mesh &a_, &b_;
     const OrderMaps& order_;
     const double bound_;
+    const std::span<const double> attribute_bounds_;
+    std::size_t at_ = 0;  // the attribute that is compared
     std::vector<Index> corner_;
     Comparison out_;
 };
@@ -261,8 +279,8 @@ class Comparer {
 }  // namespace
 
 Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order,
-                          double bound) {
-    return Comparer(original, decoded, order, bound).run();
+                          double bound, std::span<const double> attribute_bounds) {
+    return Comparer(original, decoded, order, bound, attribute_bounds).run();
 }
 
 }  // namespace ravel

@@ -15,9 +15,8 @@ struct AttributeCoding {
     enum class Tuples : std::uint8_t { own, in_order, flooded };
 
     Tuples tuples = Tuples::own;
-    bool planes = true;      // values as bytes (array_planes.h), else as a field
-    bool old_order = false;  // elements in the order that is restored, not in the walk's
-    Id pool = 0;             // tuples of the pool, where the attribute itself has no index
+    bool planes = true;  // values as bytes (array_planes.h), else as a field
+    Id pool = 0;         // tuples of the pool, where the attribute itself has no index
     FieldFormat field;
 };
 

@@ -12,6 +12,7 @@
 #include "predict/attribute_contexts.h"
 #include "predict/float_image.h"
 #include "predict/linear_guess.h"
+#include "predict/octahedron.h"
 #include "ravel/mesh.h"
 
 namespace ravel {
@@ -26,6 +27,7 @@ struct FieldFormat {
     double step = 1;            // of the grid
     bool has_outliers = false;  // some tuples are stored bit for bit instead
     bool unit_length = false;   // three floats, whose squares sum to about 1
+    int octahedral = 0;         // of the grid: bits of the two numbers of a unit vector, or 0
     bool by_angle = false;      // guessed normals weigh cells by their angle, not by their area
     Guess guess = Guess::nearest;
 };
@@ -89,6 +91,11 @@ class FieldCodes {
             Point3 guess{};
             for (std::size_t k = 0; k < count; ++k)
                 guess[k] = guess_of(first + k, beside, shares, normal);
+            if (format_.octahedral > 0) {
+                sane = code_direction(sizes, base, guess);
+                sizes.push();
+                continue;
+            }
             if (format_.unit_length) put_longest_last(guess, order);
             double rest = 1;  // of the square of the length
             for (std::size_t slot = 0; slot < count && sane; ++slot) {
@@ -186,16 +193,36 @@ class FieldCodes {
         if (order[0] > order[1]) std::swap(order[0], order[1]);
     }
 
-    bool code(ResidualSizes& sizes, std::size_t slot, std::size_t i, std::int64_t guess) {
-        std::int64_t n = Coder::kWrites ? truth_.whole[i] : 0;
+    std::int64_t code_number(ResidualSizes& sizes, std::size_t slot, std::size_t i,
+                             std::int64_t guess) {
+        const std::int64_t n = Coder::kWrites ? truth_.whole[i] : 0;
         const std::int64_t r =
             code_residual(coder_, sizes.scale(slot),
                           static_cast<std::int64_t>(static_cast<std::uint64_t>(n) -
                                                     static_cast<std::uint64_t>(guess)));
         sizes.coded(slot, magnitude(r));
         // A file may hold any residual: the sum wraps.
-        n = static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
-                                      static_cast<std::uint64_t>(r));
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
+                                         static_cast<std::uint64_t>(r));
+    }
+    // Three floats by two numbers.
+    bool code_direction(ResidualSizes& sizes, std::size_t base, const Point3& guess) {
+        const auto near = octahedral_numbers(guess, format_.octahedral);
+        std::array<std::int64_t, 2> numbers{};
+        const auto most = static_cast<std::uint64_t>(octahedral_side(format_.octahedral));
+        for (std::size_t k = 0; k < 2; ++k) {
+            numbers[k] = code_number(sizes, k, base + k, near[k]);
+            if (magnitude(numbers[k]) > most) return false;
+        }
+        const Point3 direction = octahedral_direction(numbers, format_.octahedral);
+        for (std::size_t k = 0; k < 3; ++k) {
+            known_[base + k] = direction[k];
+            put_float(base + k, direction[k]);
+        }
+        return true;
+    }
+    bool code(ResidualSizes& sizes, std::size_t slot, std::size_t i, std::int64_t guess) {
+        const std::int64_t n = code_number(sizes, slot, i, guess);
         if (format_.numbers == FieldNumbers::integer) {
             put(i, static_cast<std::uint64_t>(n));
             return true;

@@ -151,6 +151,13 @@ class OrderCodes {
                        nullptr, order_.old_companion, before, count);
     }
 
+    // Of a pool; told in the order of the file.
+    bool tuples(std::vector<Index>& old) {
+        std::vector<Id> told(old.size());
+        std::iota(told.begin(), told.end(), 0);
+        return numbers(told, nullptr, old, 0, static_cast<Id>(old.size()));
+    }
+
   private:
     Id old_point(Index p) const { return static_cast<Id>(order_.old_point[p]); }
     Id degree(Id cell) const { return static_cast<Id>(mesh_.cell(cell).size()); }

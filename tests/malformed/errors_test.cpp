@@ -1,6 +1,8 @@
 // Each error code for what it is meant for.
 #include "malformed/victims.h"
 
+#include <cmath>
+
 #include "base/checksum.h"
 #include "container/sections.h"
 #include "entropy/pack.h"
@@ -147,5 +149,37 @@ TEST_CASE("references that no mesh may have are corrupt") {
         CHECK(code_of(test::with_head(v.file, [&](Head& h) {
                   for (AttributeHead& a : h.attributes)
                       if (is_float(a.scalar)) a.references = {{0, Place::point, base}};
+              })) == Code::corrupt);
+}
+
+TEST_CASE("bounds of attributes that no writer makes are corrupt") {
+    const auto v = test::victim("tets:box=2x1x1,attributes,companions");
+    const auto with = [&](double bound, double error, bool floats) {
+        return code_of(test::with_head(v.file, [&](Head& h) {
+            for (AttributeHead& a : h.attributes)
+                if (is_float(a.scalar) == floats) a.bound = bound, a.error = error;
+        }));
+    };
+    CHECK(with(1, 2, true) == Code::corrupt);
+    CHECK(with(1, -1, true) == Code::corrupt);
+    CHECK(with(1, std::nan(""), true) == Code::corrupt);
+    CHECK(with(INFINITY, 1, true) == Code::corrupt);
+    CHECK(with(1, 0.5, false) == Code::corrupt);
+}
+
+TEST_CASE("codings of attributes that this version does not know are corrupt") {
+    EncodeOptions options;
+    const auto v = test::victim("grid:size=5x5,attributes", options);
+    // The first byte of the section tells how the first attribute is coded.
+    for (const int kind : {3, 8, 0x14, 0xC8})
+        CHECK(code_of(test::with_section(v.file, SectionId::attributes, [&](Bytes& raw) {
+                  raw[0] = static_cast<std::byte>(kind);
+              })) == Code::corrupt);
+    // An order told in unknown ways.
+    options.keep_order = true;
+    const auto w = test::victim("grid:size=5x5", options);
+    for (const int kind : {64, 128, 3, 5, 17, 24})
+        CHECK(code_of(test::with_section(w.file, SectionId::order, [&](Bytes& raw) {
+                  raw[0] = static_cast<std::byte>(kind);
               })) == Code::corrupt);
 }

@@ -23,8 +23,9 @@ struct Packed {
     std::vector<std::byte> bytes;
     std::optional<std::uint64_t> connectivity_bytes, geometry_bytes, attribute_bytes;
     std::optional<double> connectivity_ideal_bytes;
-    OrderMaps order;  // ravel only
+    OrderMaps order;  // ravel only, as the bounds
     double bound = 0;
+    std::vector<double> attribute_bounds;
 };
 
 // How what came back relates to what went in.

@@ -32,6 +32,7 @@ Result<Packed> encode_ours(const Input& input) {
     packed.bytes = std::move(encoded->bytes);
     packed.order = std::move(encoded->order);
     packed.bound = encoded->position_bound;
+    packed.attribute_bounds = std::move(encoded->attribute_bounds);
     return packed;
 }
 
@@ -42,7 +43,8 @@ Result<Mesh> decode_ours(std::span<const std::byte> bytes, const Input&) {
 }
 
 Verdict check_ours(const Input& input, const Packed& packed, const Mesh& decoded) {
-    const Comparison found = compare_meshes(input.mesh, decoded, packed.order, packed.bound);
+    const Comparison found =
+        compare_meshes(input.mesh, decoded, packed.order, packed.bound, packed.attribute_bounds);
     Verdict verdict;
     verdict.max_error = found.max_error;
     if (found.connectivity_equal) verdict.connectivity_kept = kept_word(input.mesh.kind);

@@ -45,6 +45,38 @@ double step_of(const std::string& text) {
     return step;
 }
 
+// NAME:bits=12, NAME:max-error=1e-3, NAME:max-error-relative=1e-4, NAME:octahedral=10. The name
+// ends at the last colon.
+AttributeOptions attribute_of(const std::string& text) {
+    AttributeOptions options;
+    const std::size_t colon = text.rfind(':'), equals = text.find('=', colon + 1);
+    const auto fail = [&] {
+        return CLI::ValidationError("--attribute",
+                                    fmt::format("'{}' is not NAME:bits=N, NAME:max-error=E, "
+                                                "NAME:max-error-relative=E or NAME:octahedral=N",
+                                                text));
+    };
+    if (colon == std::string::npos || colon == 0 || equals == std::string::npos) throw fail();
+    options.name = text.substr(0, colon);
+    const std::string what = text.substr(colon + 1, equals - colon - 1);
+    const char *const begin = text.data() + equals + 1, *const end = text.data() + text.size();
+    const auto read = [&](auto& into) {
+        const auto [stop, problem] = std::from_chars(begin, end, into.emplace());
+        if (problem != std::errc() || stop != end) throw fail();
+    };
+    if (what == "bits")
+        read(options.bits);
+    else if (what == "max-error")
+        read(options.max_error);
+    else if (what == "max-error-relative")
+        read(options.max_error_relative);
+    else if (what == "octahedral")
+        read(options.octahedral);
+    else
+        throw fail();
+    return options;
+}
+
 }  // namespace
 
 void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
@@ -66,7 +98,8 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
     auto* lattice =
         verb.add_option_function<std::string>(
                 "--lattice", [&flags](const std::string& text) { flags.lattice = step_of(text); },
-                "Positions on multiples of STEP, a power of two such as 2^-10; meshes packed one by "
+                "Positions on multiples of STEP, a power of two such as 2^-10; meshes packed one "
+                "by "
                 "one agree where they meet")
             ->type_name("STEP")
             ->group("Positions");
@@ -80,12 +113,25 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
     const std::array<CLI::Option*, 5> grids{bits, error, relative, lattice, lossless};
     for (std::size_t i = 0; i < grids.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) grids[i]->excludes(grids[j]);
+    verb.add_option_function<std::vector<std::string>>(
+            "--attribute",
+            [&flags](const std::vector<std::string>& all) {
+                for (const std::string& one : all) flags.attributes.push_back(attribute_of(one));
+            },
+            "An attribute of floats within a bound: NAME:bits=N along its range, NAME:max-error=E, "
+            "NAME:max-error-relative=E (in ranges) or NAME:octahedral=N (unit vectors); others are "
+            "kept to the last bit")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name("NAME:WHAT=N")
+        ->group("Attributes");
     verb.add_flag("--keep-order", flags.keep_order,
                   "Restore the order of points and cells and where each polygon starts")
         ->group("Connectivity");
-    verb.add_option("--strip-budget", flags.strip_budget,
-                    "Cells that the strip may add when it is read as the walk runs, in percent (2.5 "
-                    "for polygons, 12 for tets if not given); beyond that it is mended when made")
+    verb.add_option(
+            "--strip-budget", flags.strip_budget,
+            "Cells that the strip may add when it is read as the walk runs, in percent (2.5 "
+            "for polygons, 12 for tets if not given); beyond that it is mended when made")
         ->check(percentage())
         ->type_name("PERCENT")
         ->group("Connectivity");
@@ -106,6 +152,7 @@ EncodeOptions options_of(const EncodeFlags& flags) {
     if (flags.lattice > 0) options.lattice = flags.lattice;
     options.float32 = flags.float32;
     options.keep_order = flags.keep_order;
+    options.attributes = flags.attributes;
     if (flags.strip_budget >= 0) options.strip_budget = flags.strip_budget;
     if (flags.level > 0) options.level = flags.level;
     if (flags.fast) options.level = kFastLevel;
@@ -121,6 +168,8 @@ std::string words_for(const EncodeOptions& options) {
     if (options.lattice) words = fmt::format("lattice {:g}", *options.lattice);
     if (options.float32) words += ", float32";
     if (options.keep_order) words += ", order kept";
+    for (const AttributeOptions& a : options.attributes)
+        words += fmt::format(", {} rounded", a.name);
     if (options.level != EncodeOptions{}.level) words += fmt::format(", level {}", options.level);
     return words;
 }

@@ -17,6 +17,7 @@ struct EncodeFlags {
     bool lossless = false;
     bool float32 = false;
     bool keep_order = false;
+    std::vector<AttributeOptions> attributes;
     double strip_budget = -1;  // negative: not given
     bool fast = false;
     int level = 0;  // 0: not given

@@ -74,6 +74,8 @@ ExitCode run(const Options& options) {
         row["place"] = name_of(attribute.place);
         row["type"] = name_of(attribute.scalar);
         row["arity"] = attribute.arity;
+        row["bound"] = attribute.bound;
+        row["max_error"] = attribute.error;
         attributes.push_back(std::move(row));
     }
     if (options.json) {

@@ -20,8 +20,19 @@ struct Options {
     EncodeFlags flags;
 };
 
-void print(const Json& facts, bool json) {
+Json facts_of(const std::string& attribute, double error, double bound) {
+    Json facts;
+    facts["attribute"] = attribute;
+    facts["max_error"] = error;
+    facts["bound"] = bound;
+    return facts;
+}
+
+// `rounded`: the attributes that are not exact.
+void print(Json& facts, const Json& rounded, bool json) {
+    if (json && !rounded.empty()) facts["attributes"] = rounded;
     fmt::print("{}", json ? json_of(facts) : text_of(facts));
+    if (!json && !rounded.empty()) fmt::print("\n{}", table_of(rounded, {}));
 }
 
 ExitCode verify_mesh(const Options& options) {
@@ -40,7 +51,8 @@ ExitCode verify_mesh(const Options& options) {
     }
     progress.now("comparing");
     const double rounding = compare::round_if_asked(*mesh, options_of(options.flags));
-    Comparison found = compare_meshes(*mesh, again->mesh, packed->order, packed->position_bound);
+    Comparison found = compare_meshes(*mesh, again->mesh, packed->order, packed->position_bound,
+                                      packed->attribute_bounds);
     found.max_error = std::max(found.max_error, rounding);
     Json facts;
     facts["mesh"] = options.input;
@@ -51,7 +63,12 @@ ExitCode verify_mesh(const Options& options) {
     facts["bound"] = std::max(packed->position_bound, rounding);
     facts["attributes_equal"] = found.attributes_equal;
     facts["bytes"] = packed->bytes.size();
-    print(facts, options.json);
+    Json rounded = Json::array();
+    for (std::size_t i = 0; i < mesh->attributes.size(); ++i)
+        if (packed->attribute_bounds[i] > 0)
+            rounded.push_back(facts_of(mesh->attributes[i].name, found.attribute_errors[i],
+                                       packed->attribute_bounds[i]));
+    print(facts, rounded, options.json);
     if (!found.equal) remark(fmt::format("{}: {}", options.input, found.difference));
     return found.equal ? ExitCode::done : ExitCode::no;
 }
@@ -80,7 +97,11 @@ ExitCode verify_file(const Options& options) {
     facts["bound"] = info->position_bound;
     facts["attributes_equal"] = nullptr;
     facts["bytes"] = bytes->size();
-    print(facts, options.json);
+    Json rounded = Json::array();
+    for (const auto& attribute : info->attributes)
+        if (attribute.bound > 0)
+            rounded.push_back(facts_of(attribute.name, attribute.error, attribute.bound));
+    print(facts, rounded, options.json);
     return ExitCode::done;
 }
 

@@ -23,21 +23,32 @@
 
 namespace ravel {
 
+// An attribute of floats that may lose precision. Exactly one of these is given; what can't be
+// brought within the bound (NaN, infinities) is kept bit for bit.
+struct AttributeOptions {
+    std::string name;                          // all attributes of this name
+    std::optional<int> bits;                   // 1..30 along the widest range of a component
+    std::optional<double> max_error;           // > 0, largest absolute error of any component
+    std::optional<double> max_error_relative;  // > 0, the same in widest ranges
+    std::optional<int> octahedral;             // 3..24, unit vectors of 3 components by two numbers
+};
+
 struct EncodeOptions {
     // Positions: exact unless one of these is given. They exclude each other.
     std::optional<int> position_bits;  // 1..30 bits along the longest side of the bounding box
     std::optional<double> max_error;   // > 0, largest absolute error of any coordinate
     std::optional<double> max_error_relative;  // > 0, the same in diagonals of the bounding box
-    // A power of two: every coordinate becomes the nearest multiple. Meshes packed one by one on the
-    // same lattice agree bit for bit on the points they share.
+    // A power of two: every coordinate becomes the nearest multiple. Meshes packed one by one on
+    // the same lattice agree bit for bit on the points they share.
     std::optional<double> lattice;
-    bool float32 = false;              // round float64 positions to float32 first
+    bool float32 = false;     // round float64 positions to float32 first
     bool keep_order = false;  // restore point and cell order, start corners, tet permutations
     // Percent of cells that the strip may add when it is read as the walk runs; 2.5 for polygons,
     // 12 for tets if not given. Where it adds more the file says that the strip is to be mended
     // when it is made, which takes time but splits next to no cell. Costs no bytes either way.
     std::optional<double> strip_budget;
-    int level = 19;  // zstd's level, 1..22
+    std::vector<AttributeOptions> attributes;  // all others come back bit for bit
+    int level = 19;                            // zstd's level, 1..22
 };
 
 // Where the elements of the mesh given to `encode` are in the mesh that `decode` returns.
@@ -65,8 +76,9 @@ struct Encoded {
     std::vector<std::byte> bytes;
     OrderMaps order;
     WalkStrip strip;
-    double position_bound = 0;  // 0 for exact positions
-    double position_error = 0;  // largest error, measured with the decoder's arithmetic
+    double position_bound = 0;             // 0 for exact positions
+    double position_error = 0;             // largest error, measured with the decoder's arithmetic
+    std::vector<double> attribute_bounds;  // per attribute; 0 for exact values
     // What an ideal entropy coder would make of the codes of connectivity, under the same models.
     double connectivity_ideal_bytes = 0;
 };
@@ -128,6 +140,8 @@ struct FileInfo {
         Place place = Place::point;
         Scalar scalar = Scalar::f32;
         std::uint32_t arity = 1;
+        double bound = 0;  // of every component; 0 for exact values
+        double error = 0;  // as measured by the encoder
     };
     std::vector<AttributeInfo> attributes;
 };
@@ -136,17 +150,19 @@ struct FileInfo {
 Result<FileInfo> inspect(std::span<const std::byte> bytes);
 
 // Is `decoded` what `original` became? Connectivity, order maps, attributes and names exactly;
-// finite positions within `bound` (0: bit for bit), others bit for bit. Linear.
+// finite positions within `bound` (0: bit for bit), others bit for bit; attributes that have one of
+// `attribute_bounds` likewise. Linear.
 struct Comparison {
     bool equal = false;
     bool connectivity_equal = false;
     bool attributes_equal = false;
     bool positions_equal = false;
-    bool order_kept = false;  // points and cells come in the original order
+    bool order_kept = false;  // points, cells, companions and pools come in the original order
     double max_error = 0;
-    std::string difference;  // the first difference in words, empty when equal
+    std::vector<double> attribute_errors;  // per attribute, where there are bounds
+    std::string difference;                // the first difference in words, empty when equal
 };
 Comparison compare_meshes(const Mesh& original, const Mesh& decoded, const OrderMaps& order,
-                          double bound);
+                          double bound, std::span<const double> attribute_bounds = {});
 
 }  // namespace ravel
