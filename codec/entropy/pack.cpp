@@ -45,8 +45,7 @@ Result<Bytes> unpack(std::span<const std::byte> packed, std::uint64_t raw_size, 
     const std::size_t size =
         ZSTD_decompressDCtx(context.get(), raw.data(), raw.size(), packed.data(), packed.size());
     if (ZSTD_isError(size))
-        return Error{Code::corrupt, at,
-                     std::string("a packed section is broken: ") + ZSTD_getErrorName(size)};
+        return Error{Code::corrupt, at, "a packed section is broken: zstd can't unpack it"};
     if (size != raw.size())
         return Error{Code::corrupt, at, "a packed section holds fewer bytes than its header says"};
     return raw;

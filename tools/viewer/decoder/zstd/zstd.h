@@ -19,7 +19,6 @@ std::size_t ZSTD_freeDCtx(ZSTD_DCtx* context);
 std::size_t ZSTD_decompressDCtx(ZSTD_DCtx* context, void* to, std::size_t capacity,
                                 const void* from, std::size_t size);
 unsigned ZSTD_isError(std::size_t code);
-const char* ZSTD_getErrorName(std::size_t code);
 
 ZSTD_CCtx* ZSTD_createCCtx();
 std::size_t ZSTD_freeCCtx(ZSTD_CCtx* context);
