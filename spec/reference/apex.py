@@ -1,0 +1,155 @@
+"""7.3, 7.4: the apex of a tet."""
+
+from conventions import NONE, clamp
+from errors import require
+from spheres import Spheres
+from walk import BORDER
+
+MOST = 12
+HEIGHT_BOUNDS = (-0.25, 0.0, 0.04, 0.12, 0.25, 0.45, 0.8, 1.4, 2.5, 5.0, 12.0, 60.0)
+
+
+class Candidate:
+    def __init__(self, vertex, height, beyond_border):
+        self.vertex = vertex
+        self.height = height  # None: not above
+        self.times = 0
+        self.fan = 0
+        self.beyond_border = beyond_border
+
+    def above(self):
+        return self.height is not None
+
+
+class Apex:
+    """One apex being read: `corners` are corners 0, 1, 2 of the new tet."""
+
+    def __init__(self, walk, gate, corners):
+        self.walk = walk
+        self.gate = gate
+        self.corners = corners
+        self.spheres = Spheres(*(walk.place(v) for v in corners), walk.block.mirrored)
+        self.list = []
+        self.worth = 0 if self.spheres.flat else self.spheres.height_at(1) / 32
+
+    def rank(self, c):
+        if c.above():
+            return c.height - self.worth * c.times
+        return 1e300 / (1 + c.times)
+
+    def offer(self, c):
+        list = self.list
+        if len(list) == MOST:
+            if not self.rank(c) < self.rank(list[-1]):
+                return
+            list.pop()
+        at = len(list)
+        while at > 0 and self.rank(c) < self.rank(list[at - 1]):
+            at -= 1
+        list.insert(at, c)
+
+    def find(self, v):
+        return next((c for c in self.list if c.vertex == v), None)
+
+    def search(self, h):
+        return self.walk.grid.search(self.spheres, h, self.walk.place, self.corners)
+
+    def read(self):
+        """7.3: the kind, and the vertex unless it is fresh."""
+        walk, list, spheres = self.walk, self.list, self.spheres
+        # 1
+        borders = 0
+        for e in range(3):
+            v = walk.apex_across(self.gate, e)
+            beyond = walk.state[walk.across(self.gate, e)] == BORDER
+            borders += beyond
+            if walk.open_count[v] == 0 or v in self.corners:
+                continue
+            c = self.find(v)
+            if c:
+                list.remove(c)
+            else:
+                c = Candidate(v, None if spheres.flat else spheres.height(walk.place(v)), True)
+            c.times += 1
+            if not beyond:
+                c.fan = max(c.fan, walk.fan[3 * self.gate + e])
+                c.beyond_border = False
+            self.offer(c)
+        # 2
+        if not spheres.flat:
+            self.offer_near()
+        # 3
+        h = 13
+        t = 0
+        if list:
+            c = list[0]
+            h = self.height_class(c)
+            t = c.times
+            fan = clamp(c.fan, 1, 4) - 1
+            if walk.flag("kLowest", h, t, fan, 2 * self.gap_class() + c.beyond_border):
+                return self.told(c)
+        # 4
+        if walk.flag("kNew", h, t, borders, self.second_class()):
+            return "fresh", NONE
+        # 5
+        for i in range(1, len(list)):
+            c = list[i]
+            if walk.flag("kNext", i - 1, c.times, c.above()):
+                return self.told(c)
+        # 6
+        if walk.flag("kNear", 0):
+            rank = walk.number("kNearRank")
+            far = []
+            if not spheres.flat:
+                for v, height in self.search(spheres.height_at(100)):
+                    if not self.find(v):
+                        far.append((height, v))
+            require(rank < 64 and rank < len(far), "apex by rank that is not there")
+            return "old", sorted(far)[rank][1]
+        # 7
+        age = walk.number("kOldFar")
+        require(age < walk.vertex_count, "apex by age that does not exist")
+        return "old", walk.vertex_count - 1 - age
+
+    def told(self, c):
+        return ("fold" if c.times > 0 else "old"), c.vertex
+
+    def height_class(self, c):
+        if not c.above():
+            return 13
+        rho = self.spheres.relative(c.height)
+        n = 0
+        while n < 12 and HEIGHT_BOUNDS[n] < rho:
+            n += 1
+        return n
+
+    def gap_class(self):
+        list = self.list
+        if not list[0].above() or len(list) < 2 or not list[1].above():
+            return 3
+        g = (list[1].height - list[0].height) / self.spheres.height_at(1)
+        return 0 if g < 0.03 else 1 if g < 0.12 else 2 if g < 0.35 else 3
+
+    def second_class(self):
+        list = self.list
+        if len(list) < 2 or not list[1].above():
+            return 5
+        rho = self.spheres.relative(list[1].height)
+        return 0 if rho < 0.12 else 1 if rho < 0.45 else 2 if rho < 1.4 else 3 if rho < 5 else 4
+
+    # 7.4
+
+    def offer_near(self):
+        for r in (0.3, 1.2, 4.0):
+            h = self.spheres.height_at(r)
+            first = self.list[0] if self.list else None
+            last = first is not None and first.above() and first.height <= h
+            if last:
+                h = first.height
+            found = False
+            for v, height in self.search(h):
+                if not self.find(v):
+                    self.offer(Candidate(v, height, False))
+                    found = True
+            if last or found:
+                break

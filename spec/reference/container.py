@@ -1,0 +1,181 @@
+"""Chapter 3: sections, `head` and `block`."""
+
+import math
+from types import SimpleNamespace
+
+import zstd
+from conventions import Bytes, crc32c
+from errors import Invalid, corrupt, require
+
+HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
+
+POINT, CORNER, CELL, COMPANION, MESH = range(5)
+SCALARS = ("u8", "i8", "u16", "i16", "u32", "i32", "u64", "i64", "f32", "f64")
+
+
+def read_sections(data):
+    """3, 3.1: the unpacked bytes of each section by id."""
+    if data[:4] != b"Rav1":
+        raise Invalid("not_a_ravel_file", "no magic")
+    if data[4:5] != b"\x01":
+        raise Invalid("unsupported_version", "version is not 1")
+    file = Bytes(data, "truncated", 5)
+    sections = {}
+    last = 0
+    while True:
+        id = file.u8()
+        if id == 0:
+            break
+        require(id <= 8, "id of a section above 8")
+        require(id > last, "sections not ascending")
+        last = id
+        size = file.varint()
+        packed = size & 1
+        size >>= 1
+        raw_size = file.varint() if packed else size
+        checksum = file.u32()
+        stored = file.take(size)
+        if crc32c(stored) != checksum:
+            raise Invalid("checksum_mismatch", f"section {id}")
+        if packed:
+            require(raw_size <= (size // 4 + 1) * 131072, "raw_size above what the bytes can hold")
+            stored = zstd.unpack(stored, raw_size)
+        sections[id] = stored
+    require(file.left() == 0, "bytes behind end")
+    for id in (HEAD, BLOCK, CONNECTIVITY, POSITIONS):
+        require(id in sections, f"section {id} is missing")
+    return sections
+
+
+def check_sections(sections, head, block):
+    """3.1: the sections that are there if and only if the heads say so."""
+    for id, wanted in (
+        (COMPANIONS, block.companions > 0),
+        (ATTRIBUTES, len(head.attributes) > 0),
+        (ORDER, head.keeps_order),
+    ):
+        require((id in sections) == wanted, f"section {id} missing, or there without need")
+
+
+def read_head(data):
+    """3.2"""
+    bytes = Bytes(data)
+    flags = bytes.u8()
+    require(flags < 32, "bits 5-7 of head.flags")
+    head = SimpleNamespace(
+        tets=bool(flags & 1),
+        wide=bool(flags & 2),
+        lossless=bool(flags & 4),
+        keeps_order=bool(flags & 8),
+        attributes=[],
+        step=1.0,
+        origin=(0.0, 0.0, 0.0),
+    )
+    narrow_head = bool(flags & 16)
+    require(not (narrow_head and head.lossless), "narrow_head with lossless")
+    if not head.lossless:
+        real = bytes.f32 if narrow_head else bytes.f64
+        require(bytes.u8() <= 64, "position_bits")
+        head.step = real()
+        head.origin = (real(), real(), real())
+        bound = real()
+        error = real()
+        require(math.isfinite(head.step) and head.step > 0, "step")
+        require(all(math.isfinite(x) for x in head.origin), "origin")
+        require(math.isfinite(bound) and bound >= 0, "bound")
+        require(0 <= error <= bound, "error")
+    count = bytes.varint()
+    require(count <= bytes.left() // 4, "attribute_count")
+    for _ in range(count):
+        head.attributes.append(read_attribute_head(bytes))
+    bytes.end()
+    return head
+
+
+def read_attribute_head(bytes):
+    a = SimpleNamespace(name=bytes.text(), references=[])
+    kind = bytes.u8()
+    a.place = kind & 7
+    a.indexed = bool(kind & 8)
+    require(a.place <= MESH, "place")
+    require(kind >> 4 < len(SCALARS), "scalar")
+    a.scalar = SCALARS[kind >> 4]
+    width = bytes.varint()
+    a.arity = width >> 1
+    require(1 <= a.arity <= 65535, "arity")
+    a.tuples = bytes.varint()
+    if width & 1:
+        require(a.scalar in ("u32", "i32", "u64", "i64"), "references by such a scalar")
+        count = bytes.varint()
+        require(count <= bytes.left() // 2, "reference_count")
+        for _ in range(count):
+            word = bytes.varint()
+            r = SimpleNamespace(component=word >> 1, to_cells=bool(word & 1), base=bytes.zigzag())
+            require(r.component < a.arity, "a reference to a component that is not there")
+            require(not a.references or a.references[-1].component < r.component, "references not ascending")
+            a.references.append(r)
+    return a
+
+
+LEAST_BASE = {"u32": 0, "u64": 0, "i32": -(2**31), "i64": -(2**40)}
+MOST_NUMBER = {"u32": 2**32 - 1, "u64": 2**62, "i32": 2**31 - 1, "i64": 2**62}
+
+
+def check_references(head, block):
+    """3.2, the last paragraph: it needs the numbers of `block`."""
+    for a in head.attributes:
+        for r in a.references:
+            count = block.cells if r.to_cells else block.points + block.unused_points
+            require(LEAST_BASE[a.scalar] <= r.base <= 2**40, "base of a reference")
+            require(r.base + count <= MOST_NUMBER[a.scalar], "base of a reference")
+
+
+def read_block(data, tets):
+    """3.3"""
+    most = 2**32 - 2
+    bytes = Bytes(data)
+    flags = bytes.u8()
+    require(flags < 32, "bits 5-7 of block.flags")
+    b = SimpleNamespace(
+        has_border=bool(flags & 1),
+        has_flips=bool(flags & 2),
+        has_copies=bool(flags & 4),
+        mirrored=bool(flags & 8),
+    )
+    require(tets or not b.mirrored, "mirrored polygons")
+    b.cells = bytes.varint()
+    require(b.cells < (357913941 if tets else most), "cells")
+    if tets:
+        b.uniform_degree = 4
+        b.corners = 4 * b.cells
+    else:
+        b.uniform_degree = bytes.varint()
+        require(b.uniform_degree < most, "uniform_degree")
+        b.corners = b.cells * b.uniform_degree if b.uniform_degree else bytes.varint()
+    require(b.corners < most, "corners")
+    b.vertices = bytes.varint()
+    require(b.vertices <= b.corners, "vertices")
+    b.points = bytes.varint() if b.has_copies else b.vertices
+    require(b.points <= b.vertices, "points")
+    b.unused_points = bytes.varint()
+    require(b.vertices + b.unused_points < most, "unused_points")
+    b.companions = bytes.varint()
+    b.components = bytes.varint()
+    require(b.components <= b.cells, "components")
+    b.links = bytes.varint()
+    require(b.links <= b.corners, "links")
+    if tets:
+        b.grid_side = bytes.varint()
+        require(1 <= b.grid_side <= 2**52, "grid_side")
+        b.grid_count = [bytes.varint() for _ in range(3)]
+        require(all(1 <= n < 2**32 for n in b.grid_count), "grid_count")
+        require(math.prod(b.grid_count) <= 4 * b.vertices + 64, "grid_count: too many cubes")
+    bytes.end()
+    return b
+
+
+def check_sizes(block, sections):
+    """3.3, the last paragraph."""
+    most = 11088 * (len(sections[CONNECTIVITY]) + len(sections[POSITIONS]) + 16)
+    for n in (block.cells, block.vertices, block.corners // 3, block.vertices + block.unused_points):
+        require(n <= most, "more than the streams can tell of")

@@ -1,0 +1,142 @@
+"""Chapter 4: flags, plain bits and numbers."""
+
+import os
+
+from conventions import width
+from errors import require
+
+CLASS_BOUND = (4, 8, 16, 31, 51, 82, 135, 205, 307, 451, 655, 901, 1229, 1597)
+RUN_OF = (1, 2, 2, 3, 5, 7, 11, 17, 26, 43, 69, 121, 231, 462, 1386)
+
+# 4.1: the class of each p
+CLASS_OF = [next((14 - i for i, bound in enumerate(CLASS_BOUND) if p <= bound), 0) for p in range(2048)]
+
+# 4.6
+PRIOR = dict(zip("ABCDEFGHIJKLMNO", (
+    39, 98, 262, 590, 1180, 2294, 3932, 5898, 8520, 11796, 15073, 19005, 22938, 26870, 30147)))
+PRIOR.update(zip("QRSTUVWXYZabcde", (
+    35388, 38665, 42597, 46530, 50462, 53739, 57015, 59637, 61603, 63241, 64355, 64945, 65273, 65437, 65496)))
+
+
+class Block:
+    """4.5: contexts with up to four coordinates."""
+
+    def __init__(self, name, base, sizes):
+        self.name = name
+        self.base = base
+        self.sizes = sizes
+        self.letters = ""
+
+    def __call__(self, i, j=0, k=0, l=0):
+        a, b, c, d = self.sizes
+        i = min(i, a - 1)
+        j = min(j, b - 1)
+        k = min(k, c - 1)
+        l = min(l, d - 1)
+        return self.base + ((i * b + j) * c + k) * d + l
+
+
+class Kind:
+    """A kind of stream: its blocks by name and what its models know at the start."""
+
+    def __init__(self, seen):
+        self.blocks = {}
+        self.seen = seen
+
+    def contexts(self):
+        return "".join(block.letters for block in self.blocks.values())
+
+
+def read_priors(path):
+    kinds = {}
+    block = None
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            words = line.split("#")[0].split()
+            if not words:
+                continue
+            if words[0] == "stream":
+                kind = kinds[words[1]] = Kind(int(words[2]))
+            elif words[0] == "block":
+                block = Block(words[1], int(words[2]), tuple(int(x) for x in words[3].split(",")))
+                kind.blocks[words[1]] = block
+            else:
+                block.letters += words[0]
+    return kinds
+
+
+KINDS = read_priors(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "priors.txt"))
+
+
+class Stream:
+    """A stream of bits, its models and its runs. `blocks` are the blocks of its contexts by name."""
+
+    def __init__(self, data, kind):
+        self.data = data
+        self.at = 0
+        self.bits = 8 * len(data)
+        kind = KINDS[kind]
+        self.blocks = kind.blocks
+        letters = kind.contexts()
+        self.fast = [2097152 if c == "P" else PRIOR[c] * 64 for c in letters]
+        self.slow = list(self.fast)
+        self.seen = [0 if c == "P" else kind.seen for c in letters]
+        self.left = [0] * 15
+        self.ends_in_miss = [False] * 15
+
+    def plain(self, n):
+        require(n <= self.bits - self.at, "a stream is asked for more bits than it has")
+        value = 0
+        for at in range(self.at, self.at + n):
+            value = value * 2 + (self.data[at >> 3] >> (7 - (at & 7)) & 1)
+        self.at += n
+        return value
+
+    def below(self, s):
+        """4.2: truncated binary."""
+        if s <= 1:
+            return 0
+        w = width(s - 1)
+        b = 2**w - s
+        v = self.plain(w - 1)
+        return v if v < b else v * 2 + self.plain(1) - b
+
+    def flag(self, context):
+        """4.2, 4.1: true for yes."""
+        fast = self.fast[context]
+        slow = self.slow[context]
+        seen = self.seen[context]
+        chance = (fast + slow) >> 7
+        likely = chance >= 32768
+        c = CLASS_OF[((65535 - chance) if likely else chance) >> 4]
+
+        if self.left[c] == 0:
+            if self.plain(1):
+                self.left[c] = RUN_OF[c]
+                self.ends_in_miss[c] = False
+            else:
+                self.left[c] = self.below(RUN_OF[c]) + 1
+                self.ends_in_miss[c] = True
+        self.left[c] -= 1
+        missed = self.left[c] == 0 and self.ends_in_miss[c]
+        answer = likely != missed
+
+        goal = 4194303 if answer else 0
+        rate = 655360 // (10 * seen + 13)
+        self.slow[context] = slow + (((goal - slow) * rate) >> 16)
+        self.fast[context] = fast + (((goal - fast) * max(rate, 3276)) >> 16)
+        self.seen[context] = min(seen + 1, 510)
+        return answer
+
+    def number(self, block):
+        """4.3"""
+        n = 1
+        while n < 64 and self.flag(block(n - 1)):
+            n += 1
+        return 2 ** (n - 1) + self.plain(n - 1) - 1
+
+    def end(self):
+        """4.4"""
+        left = self.bits - self.at
+        require(left < 8, "a stream with 8 bits or more left over")
+        require(self.plain(left) == 0, "padding that is not 0")

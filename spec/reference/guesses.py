@@ -1,0 +1,102 @@
+"""8.3: stencils, weights and guesses."""
+
+import math
+
+from conventions import NONE, cross, divide, dot, length, minus, plus, times
+
+NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet")
+NUMBER = {name: i for i, name in enumerate(NAMES)}
+WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7)
+DEFAULTS = {"polygon": [2048, 0, 1024], "tet": [0, -256, 1400, 800, 600, 2800, 0]}
+
+
+def _row(text):
+    factors = [int(x) for x in text.split()]
+    return factors + [0] * (11 - len(factors))
+
+
+def _rows(base, *weights):
+    return [_row(base)] + [_row(w) for w in weights]
+
+
+_FOURTH = ("0 1 -1", "1 0 -1", "1 0 -1 -1 1", "0 0 1 0 -1", "1 0 0 -2 0 1", "0 0 1 0 -2 0 1")
+
+# the base, then a row for each weight
+ROWS = {
+    "seed": _rows("1", "1 -1", "0 1 -1"),
+    "quad_third": _rows("2 0 -1", "1 0 -1", "-1 1", "1 -1 -1 1", "1 0 -2 0 1", "0 1 0 -2 0 1"),
+    "quad_fourth": _rows("1 1 -1", *_FOURTH),
+    "quad_corner": _rows(
+        "1 1 -1", *_FOURTH,
+        "0 1 -1 0 0 0 0 -1 1", "0 0 1 0 0 0 0 0 -1", "0 1 0 0 0 0 0 -2 0 1", "0 0 1 0 0 0 0 0 -2 0 1"),
+    "triangle": _rows("1 1 -1", "0 0 -1 1", "1 -1", "0 1 0 -1"),
+    "polygon": _rows("1", "1 -1", "0 1 -1", "-1 0 0 1"),
+}
+
+
+def guess(configuration, stencil, value, weights, mirrored):
+    """g on each axis; `stencil` has 11 places, `value` the values of the vertices."""
+    if configuration == "tet":
+        return _guess_tet([value[v] for v in stencil[:7]], weights, mirrored)
+    total = [0] * 11
+    for row, w in zip(ROWS[configuration], [4096] + weights):
+        if any(factor != 0 and stencil[i] == NONE for i, factor in enumerate(row)):
+            continue
+        for i, factor in enumerate(row):
+            total[i] += w * factor
+    g = []
+    for axis in range(3):
+        x = 0.0
+        for i in range(11):
+            if total[i] != 0:
+                x = x + value[stencil[i]][axis] * float(total[i])
+        g.append(x / 4096)
+    return tuple(g)
+
+
+def _thirds(a):
+    return (a[0] / 3, a[1] / 3, a[2] / 3)
+
+
+def _guess_tet(p, weights, mirrored):
+    u = minus(p[1], p[0])
+    v = minus(p[2], p[0])
+    w = minus(p[2], p[1])
+    middle = _thirds(plus(plus(p[0], p[1]), p[2]))
+    t = [(0.0, 0.0, 0.0)] * 7
+    t[0] = minus(middle, p[3])
+    t[1] = minus(_thirds(plus(plus(p[4], p[5]), p[6])), middle)
+    n = cross(u, v)
+    square = dot(n, n)
+    edge = (length(u) + length(v) + length(w)) / 3
+    if square > 0:
+        up = times(n, (-1 if mirrored else 1) / math.sqrt(square))
+        beside = 0.0
+        for k in range(3):
+            beside = beside + (
+                length(minus(p[4 + k], p[(k + 1) % 3])) + length(minus(p[4 + k], p[(k + 2) % 3]))
+            )
+        behind = 0.0
+        for k in range(3):
+            behind = behind + length(minus(p[3], p[k]))
+        t[2] = times(up, edge)
+        t[3] = times(up, beside / 6)
+        t[4] = times(up, behind / 3)
+        vn = times(cross(v, n), dot(u, u))
+        nu = times(cross(n, u), dot(v, v))
+        centre = plus(p[0], times(plus(vn, nu), 1 / (2 * square)))
+        aside = minus(centre, middle)
+        if length(aside) < edge:
+            t[5] = aside
+    pull = (0.0, 0.0, 0.0)
+    all = 0.0
+    for k in range(3):
+        way = minus(p[4 + k], middle)
+        share = 1 / (dot(way, way) + 1)
+        pull = plus(pull, times(way, share))
+        all = all + share
+    t[6] = times(pull, divide(1.0, all))
+    sum = (0.0, 0.0, 0.0)
+    for i in range(7):
+        sum = plus(sum, times(t[i], float(weights[i])))
+    return tuple(middle[axis] + sum[axis] / 4096 for axis in range(3))

@@ -1,0 +1,364 @@
+"""Chapter 8: positions."""
+
+import math
+from types import SimpleNamespace
+
+import guesses
+from conventions import NONE, Bytes, clamp, i64, scale, width
+from echoes import Echoes
+from errors import require
+from flags import Stream
+from followers import Followers
+from guesses import NUMBER
+
+GRID, DECIMAL, BINARY = range(3)
+MOST32 = 2**32 - 1
+
+
+def read_positions_head(data, head):
+    """8.1"""
+    bytes = Bytes(data)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False)
+    flags = bytes.u8()
+    require(flags & 3 == 0, "bits 0-1 of positions.flags")
+    p.has_outliers = bool(flags & 4)
+    p.has_minus_zero = bool(flags & 8)
+    p.base = flags >> 4 & 3
+    has_echoes = bool(flags & 64)
+    p.has_levels = bool(flags & 128)
+    require(p.base != 3 and (p.base == GRID) == (not head.lossless), "base")
+    require(head.lossless or not p.has_minus_zero, "has_minus_zero of a grid")
+    fitted = bytes.u8()
+    p.has_follows = bool(fitted & 128)
+    if head.lossless:
+        p.places = bytes.zigzag()
+        p.digits = bytes.u8()
+        if p.base == DECIMAL:
+            require(0 <= p.places <= 22 and p.digits <= 17, "places or digits")
+        else:
+            require(-1200 <= p.places <= 1200 and p.digits <= 53, "places or digits")
+    if has_echoes:
+        count = bytes.u8()
+        require(1 <= count <= 8, "echo_count")
+        look = bytes.u8()
+        p.cube_bits = look & 127
+        p.looks_far = bool(look & 128)
+        require(p.cube_bits <= 52, "cube_bits")
+        for _ in range(count):
+            mirrored = bytes.u8()
+            require(mirrored < 8, "mirrored of an echo")
+            offset = [bytes.zigzag() for _ in range(3)]
+            require(all(abs(x) <= 2**53 for x in offset), "offset of an echo")
+            require(p.digits == 0 or not any(offset), "offset of an echo with digits")
+            p.echoes.append((mirrored, offset))
+    p.weights = {}
+    for c, name in enumerate(guesses.NAMES):
+        count = guesses.WEIGHT_COUNT[c]
+        if fitted >> c & 1:
+            weights = [bytes.zigzag() for _ in range(count)]
+            require(all(-32768 <= w <= 32767 for w in weights), "a weight beyond 16 bits")
+        else:
+            weights = guesses.DEFAULTS.get(name, [0] * count)
+        p.weights[name] = weights
+    if head.tets and head.lossless:
+        bytes.error = "truncated"
+        p.place_origin = (bytes.f64(), bytes.f64(), bytes.f64())
+        p.place_scale = bytes.f64()
+    p.bits = bytes.take(bytes.left())
+    return p
+
+
+class Positions:
+    """All vertices so far: values, coordinates, magnitudes."""
+
+    def __init__(self, head, block, data):
+        p = read_positions_head(data, head)
+        self.head = p
+        self.block = block
+        self.wide = head.wide
+        self.base = p.base
+        self.places = p.places
+        self.digits = p.digits
+        self.place_origin = getattr(p, "place_origin", None)
+        self.place_scale = getattr(p, "place_scale", None)
+        self.M = 2**40 if p.base == GRID else 2**53
+        self.stream = Stream(p.bits, "positions")
+        self.contexts = self.stream.blocks
+        self.value = []
+        self.coordinate = []
+        self.magnitudes = []
+        self.outlier_bits = {}
+        self.usual = {name: 256 for name in guesses.NAMES}
+        self.echoes = Echoes(block, p, self) if p.echoes else None
+        self.followers = Followers(block, self) if p.has_follows else None
+        self.prior = NONE
+        self.same_history = 0
+        self.follow_same_history = 0
+        self.level_history = [0, 0, 0]
+        self.last_minus_zero = [False] * 3
+        self.last_whole_zero = [False] * 3
+
+    def flag(self, name, *coordinates):
+        return self.stream.flag(self.contexts[name](*coordinates))
+
+    # 8.2
+
+    def digits_of_rest(self, m):
+        if self.base == DECIMAL:
+            d = len(str(m)) if m else 0
+        else:
+            d = width(m)
+        return max(0, self.digits - d)
+
+    def value_and_coordinate(self, whole, rest, zeros, negative):
+        m = abs(whole)
+        e = self.digits_of_rest(m)
+        if self.base == GRID:
+            return float(whole), None
+        if self.base == DECIMAL:
+            a, b = (m * 10**e + rest, e + zeros) if rest else (m, 0)
+            value = float(a) / float(10**b)
+            coordinate = float(a) / float(10 ** (b + self.places))
+        else:
+            value = float(m)
+            if rest:
+                value = value + scale(float(rest), -(e + zeros))
+            coordinate = scale(value, -self.places)
+        if whole < 0 or (whole == 0 and negative):
+            value = -value
+            coordinate = -coordinate
+        return value, coordinate
+
+    def coordinate_of_value(self, value):
+        """8.2, where a coordinate follows from its value."""
+        if self.base == GRID:
+            return None
+        if self.base == DECIMAL:
+            return value / float(10**self.places)
+        return scale(value, -self.places)
+
+    # 8.3
+
+    def guess(self, configuration, stencil):
+        g = guesses.guess(
+            configuration, stencil, self.value, self.head.weights[configuration], self.block.mirrored)
+        return tuple(clamp(x, -float(self.M), float(self.M)) for x in g)
+
+    def whole_of(self, x):
+        return math.trunc(x) if self.digits > 0 else math.floor(x + 0.5)
+
+    # 8.4
+
+    def read(self, configuration, stencil):
+        stencil = stencil + [NONE] * (11 - len(stencil))
+        v = len(self.value)
+        n = len([p for p in stencil[:3] if p != NONE])
+        sums = [sum(self.magnitudes[p][k] for p in stencil[:3] if p != NONE) for k in range(3)]
+        mean = [sums[k] // n if n else 0 for k in range(3)]
+        half = [mean[k] // 2 for k in range(3)]
+        # 1
+        if self.head.has_outliers and self.flag("outlier", 0):
+            self.outlier_bits[v] = [self.stream.plain(64 if self.wide else 32) for _ in range(3)]
+            p0 = stencil[0]
+            if p0 == NONE:
+                zero = self.coordinate_of_value(0.0)
+                self.add((0.0,) * 3, (zero,) * 3, half)
+            else:
+                self.add(self.value[p0], self.coordinate[p0], half)
+            if self.followers:
+                self.followers.skip()
+            return
+        # 2
+        guess = self.guess(configuration, stencil)
+        w = [self.whole_of(x) for x in guess]
+        # 3
+        follows = repeats = False
+        leader = NONE
+        if self.followers:
+            self.followers.advance(v, configuration, stencil)
+            leader = self.followers.leader(v, stencil, self.prior)
+            if leader != NONE:
+                repeats, whole_said, value_said, coordinate_said = self.followers.says(
+                    v, leader, configuration, stencil, guess)
+                follows = self.followers.read(repeats)
+        # 4
+        echo = None
+        if self.echoes and not follows:
+            echo = self.echoes.read(v, guess)
+            if echo:
+                said = [self.echoes.says(*echo, k, self.M) for k in range(3)]
+                whole_said, value_said, coordinate_said = zip(*said)
+        # 5
+        self.prior = NONE
+        if follows:
+            self.prior = leader
+        elif echo and self.head.echoes[echo[1]][0] == 0:
+            self.prior = echo[0]
+        # 6
+        usual = self.usual[configuration]
+        expected = []
+        for k in range(3):
+            near = usual if n == 0 else (13 * sums[k] + sum(sums)) // n
+            expected.append((29 * near + 3 * usual) >> 5)
+        # 7
+        value = [0.0] * 3
+        coordinate = [None] * 3
+        r = [0] * 3
+        for k in range(3):
+            # 7.1
+            same = False
+            level = None
+            if echo:
+                same = self.flag("same", k, self.same_history)
+                self.same_history = (self.same_history * 2 + same) % 4
+            elif follows and (repeats or self.digits == 0):
+                same = self.flag("follow_same", k, self.follow_same_history)
+                self.follow_same_history = (self.follow_same_history * 2 + same) % 4
+            elif not follows and self.head.has_levels:
+                level = self.read_level(configuration, stencil, k, w[k])
+                same = level is not None
+            # 7.2
+            if same:
+                if level is not None:
+                    value[k] = self.value[level][k]
+                    coordinate[k] = self.coordinate[level][k]
+                else:
+                    value[k] = value_said[k]
+                    coordinate[k] = coordinate_said[k]
+                    require(abs(value[k]) < self.M, "the value of an echo or of a leader")
+                    if self.digits == 0:
+                        coordinate[k] = self.coordinate_of_value(value[k])
+                continue
+            # 7.3
+            if echo:
+                context, bits = 96 + k, 2
+            elif follows:
+                context, bits = 99 + k, 2
+            else:
+                context, bits = self.expected_size(k, expected, r)
+            residual = self.residual(context, bits)
+            whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
+            require(-self.M < whole < self.M, "whole")
+            value[k], coordinate[k] = self.value_and_coordinate(whole, *self.behind_the_point(k, whole))
+            r[k] = min(abs(residual), MOST32)
+        # 8
+        if follows or echo:
+            magnitudes = half
+        else:
+            magnitudes = r
+            done = sum(r)
+            self.usual[configuration] = usual + ((16 * done // 3 + 31) >> 5) - ((usual + 31) >> 5)
+        self.add(tuple(value), tuple(coordinate), magnitudes)
+        if self.followers:
+            self.followers.enter(v)
+
+    def add(self, value, coordinate, magnitudes):
+        self.value.append(value)
+        self.coordinate.append(coordinate)
+        self.magnitudes.append(magnitudes)
+        if self.echoes:
+            self.echoes.enter(len(self.value) - 1)
+
+    # 8.5.3
+
+    def read_level(self, configuration, stencil, k, w):
+        """The vertex whose value on axis k this vertex has; None if there is none."""
+        there = [p for p in stencil[:7] if p != NONE]
+        most = 0
+        level = None
+        for i, p in enumerate(there):
+            votes = 1 + sum(self.value[q][k] == self.value[p][k] for q in there[i + 1 :])
+            if votes > most:
+                most = votes
+                level = p
+        if most < 2:
+            return None
+        g = w == math.trunc(self.value[level][k])
+        h = self.level_history[k]
+        same = self.flag("level", NUMBER[configuration], most, h, g)
+        self.level_history[k] = (h * 2 + same) % 4
+        return level if same else None
+
+    # 8.5.4
+
+    def behind_the_point(self, axis, whole):
+        """rest, zeros, negative"""
+        has_minus_zero = self.head.has_minus_zero
+        if self.digits == 0:
+            negative = False
+            if whole == 0 and has_minus_zero:
+                negative = self.flag("minus_zero", axis, self.last_minus_zero[axis])
+                self.last_minus_zero[axis] = negative
+            return 0, 0, negative
+        e = self.digits_of_rest(abs(whole))
+        zeros = 0
+        negative = False
+        if whole == 0:
+            is_zero = self.flag("whole_zero", axis, self.last_whole_zero[axis])
+            self.last_whole_zero[axis] = is_zero
+            if is_zero:
+                if has_minus_zero:
+                    negative = self.flag("minus_zero", axis, 0)
+                return 0, 0, negative
+            negative = self.stream.plain(1) == 1
+            while zeros < 63 and self.flag("leading", zeros):
+                zeros += 1
+        elif e == 0 or self.flag("rest_zero", e):
+            return 0, 0, False
+        if self.base == DECIMAL:
+            require(self.places + zeros + e <= 22, "more than 22 decimal places")
+            rest = self.stream.plain(width(10**e - 1))
+            require(rest < 10**e, "rest of 10^e or more")
+        else:
+            rest = self.stream.plain(e)
+        require(rest != 0, "rest 0 where it can't be")
+        return rest, zeros, negative
+
+    # 8.6
+
+    def expected_size(self, k, expected, r):
+        done = sum(r[:k])
+        if k == 0:
+            e = expected[0]
+        elif k == 1:
+            e = (13 * expected[1] + 48 * done) >> 4
+        else:
+            e = (23 * expected[2] + 72 * done) >> 5
+        b = width(e + 1) - 1
+        half = 1 if ((e + 1) << 15) >> b >= 46341 else 0
+        return min(2 * b + half, 95), 2 if b < 5 else b - 3
+
+    def residual(self, context, bits):
+        if self.flag("size", context, 0):
+            return 0
+        s = bits
+        step = 0
+        if self.flag("size", context, 1):
+            while s < 64 and self.flag("size", context, 2 + min(step, 20)):
+                s += 1
+                step += 1
+        else:
+            s -= 1
+            while s > 1 and not self.flag("size", context, 23 + min(step, 9)):
+                s -= 1
+                step += 1
+        m = 1
+        if s >= 2:
+            m = 2 + self.flag("second", clamp(s + 8, bits, bits + 15) - bits, s)
+        rest = max(s, 2) - 2
+        m = m * 2**rest + self.stream.plain(rest)
+        return i64(-m if self.stream.plain(1) else m)
+
+    # 8.7
+
+    def copy(self, original):
+        self.add(self.value[original], self.coordinate[original], [0, 0, 0])
+        if self.followers:
+            self.followers.skip()
+
+    # 8.8
+
+    def read_unused_points(self):
+        for i in range(self.block.unused_points):
+            before = self.block.vertices + i - 1
+            self.read("seed", [before] if before >= 0 else [])

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Ravel's second decoder: written from ../format.md alone, to be read beside it, slow.
+
+ravel_decode.py FILE.ravel prints what is inside; errors are those of chapter 14.
+"""
+
+import sys
+
+import container
+from container import COMPANIONS, ATTRIBUTES, CONNECTIVITY, NAMES, ORDER, POSITIONS
+from errors import Invalid
+from mesh import build_mesh
+from positions import Positions
+from strip import read_strip
+from walk_surface import SurfaceWalk
+from walk_tet import TetWalk
+
+
+def decode(data, with_strip=True):
+    """A mesh from the bytes of a file."""
+    # 3
+    sections = container.read_sections(data)
+    head = container.read_head(sections[container.HEAD])
+    block = container.read_block(sections[container.BLOCK], head.tets)
+    container.check_references(head, block)
+    container.check_sections(sections, head, block)
+    container.check_sizes(block, sections)
+    # 5 - 8
+    positions = Positions(head, block, sections[POSITIONS])
+    walk = (TetWalk if head.tets else SurfaceWalk)(head, block, sections[CONNECTIVITY], positions)
+    walk.run()
+    # 9
+    mesh = build_mesh(head, block, walk)
+    if with_strip:
+        mesh.is_link = read_strip(block, walk)
+    return mesh
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    with open(arguments[0], "rb") as file:
+        data = file.read()
+    try:
+        mesh = decode(data)
+    except Invalid as error:
+        print(error, file=sys.stderr)
+        return 4
+    kind = "tets" if mesh.tets else "polygons"
+    print(f"{len(mesh.points)} points, {len(mesh.cells)} {kind}, {sum(mesh.is_link)} links")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

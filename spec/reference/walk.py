@@ -1,0 +1,105 @@
+"""Chapter 5: the walk, as far as it is the same for surfaces and tets."""
+
+from conventions import MASK64, NONE, unzigzag
+from errors import require
+from flags import Stream
+
+OPEN, BORDER, GONE = "open", "border", "gone"
+
+
+class Walk:
+    def __init__(self, head, block, connectivity, kind, positions):
+        self.block = block
+        self.lossless = head.lossless
+        self.stream = Stream(connectivity, kind)
+        self.contexts = self.stream.blocks
+        self.positions = positions
+        # 5: state
+        self.first = [0]
+        self.vertex = []
+        self.twin = []
+        self.state = []
+        self.cell_of = []
+        self.gate = []
+        self.on_border = []
+        self.vertex_count = 0
+        self.cell_count = 0
+        # what chapter 9 asks for
+        self.flipped = []
+        self.copy_of = []
+        # 5.2
+        self.was_copy = 0
+        self.last_copied = 0
+
+    def flag(self, name, *coordinates):
+        return self.stream.flag(self.contexts[name](*coordinates))
+
+    def number(self, name):
+        return self.stream.number(self.contexts[name])
+
+    def add_facets(self, n):
+        """The facets of a new cell; the number of the first."""
+        base = len(self.vertex)
+        self.vertex += [NONE] * n
+        self.twin += [NONE] * n
+        self.state += [GONE] * n
+        self.cell_of += [self.cell_count - 1] * n
+        self.first.append(base + n)
+        return base
+
+    def run(self):
+        """5.1, 5.4"""
+        block = self.block
+        seeds = 0
+        while self.cell_count < block.cells:
+            self.enter(NONE)
+            seeds += 1
+            cell = self.cell_count - 1
+            while True:
+                out = self.exit(cell)
+                if out != NONE:
+                    require(self.cell_count < block.cells, "a cell although `cells` are visited")
+                    self.enter(out)
+                    cell = self.cell_count - 1
+                elif self.gate[cell] == NONE:
+                    break
+                else:
+                    cell = self.cell_of[self.gate[cell]]
+        require(self.vertex_count == block.vertices, "vertices")
+        require(len(self.vertex) == block.corners, "corners")
+        require(seeds == block.components, "components")
+        require(sum(c == NONE for c in self.copy_of) == block.points, "points")
+        self.positions.read_unused_points()
+        self.stream.end()
+        self.positions.stream.end()
+
+    def enter(self, gate):
+        self.cell_count += 1
+        self.gate.append(gate)
+        self.visit(gate)
+        # 5.2: flips
+        flipped = False
+        if self.block.has_flips:
+            flipped = self.flag("kFlip", self.flipped[-1] if self.flipped else 0)
+        self.flipped.append(flipped)
+
+    def new_vertex(self, c, configuration, stencil):
+        """5.2"""
+        v = self.vertex_count
+        require(v < self.block.vertices, "a new vertex although there are `vertices`")
+        self.vertex_count += 1
+        self.vertex[c] = v
+        self.on_border.append(0)
+        self.add_vertex()
+        copied = NONE
+        if self.block.has_copies:
+            self.was_copy = self.flag("kCopy", self.was_copy)
+            if self.was_copy:
+                self.last_copied = (self.last_copied + unzigzag(self.number("kCopyOf"))) & MASK64
+                copied = self.last_copied
+                require(copied < v and self.copy_of[copied] == NONE, "a copy of a later vertex or of a copy")
+        self.copy_of.append(copied)
+        if copied != NONE:
+            self.positions.copy(copied)
+        else:
+            self.positions.read(configuration, stencil)
