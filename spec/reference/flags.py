@@ -68,6 +68,10 @@ def read_priors(path):
 KINDS = read_priors(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "priors.txt"))
 
 
+# The blocks of each kind of stream under which flags were read; `check` reports the others.
+USED = {}
+
+
 class Stream:
     """A stream of bits, its models and its runs. `blocks` are the blocks of its contexts by name."""
 
@@ -75,6 +79,7 @@ class Stream:
         self.data = data
         self.at = 0
         self.bits = 8 * len(data)
+        self.used = USED.setdefault(kind, {})
         kind = KINDS[kind]
         self.blocks = kind.blocks
         letters = kind.contexts()
@@ -128,8 +133,13 @@ class Stream:
         self.seen[context] = min(seen + 1, 510)
         return answer
 
+    def flag_of(self, block, *coordinates):
+        self.used[block.name] = self.used.get(block.name, 0) + 1
+        return self.flag(block(*coordinates))
+
     def number(self, block):
         """4.3"""
+        self.used[block.name] = self.used.get(block.name, 0) + 1
         n = 1
         while n < 64 and self.flag(block(n - 1)):
             n += 1

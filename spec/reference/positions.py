@@ -99,7 +99,7 @@ class Positions:
         self.last_whole_zero = [False] * 3
 
     def flag(self, name, *coordinates):
-        return self.stream.flag(self.contexts[name](*coordinates))
+        return self.stream.flag_of(self.contexts[name], *coordinates)
 
     # 8.2
 

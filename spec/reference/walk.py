@@ -32,7 +32,7 @@ class Walk:
         self.last_copied = 0
 
     def flag(self, name, *coordinates):
-        return self.stream.flag(self.contexts[name](*coordinates))
+        return self.stream.flag_of(self.contexts[name], *coordinates)
 
     def number(self, name):
         return self.stream.number(self.contexts[name])
