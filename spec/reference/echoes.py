@@ -107,11 +107,13 @@ class Echoes:
         mirrored = mirrored >> axis & 1
         offset = offset[axis]
         x = self.positions.value[found][axis]
-        coordinate = self.positions.coordinate[found][axis]
         whole = clamp(offset - math.trunc(x) if mirrored else offset + math.trunc(x), -M, M)
         if offset != 0:
             value = float(offset) - x if mirrored else float(offset) + x
             return whole, value, None
-        if mirrored:
-            return whole, self.mirror(x), self.mirror(coordinate)
-        return whole, x, coordinate
+        coordinate = self.positions.coordinate[found][axis]
+        if not mirrored:
+            return whole, x, coordinate
+        if self.positions.keeps_coordinates:
+            coordinate = self.mirror(coordinate)
+        return whole, self.mirror(x), coordinate

@@ -72,13 +72,10 @@ KINDS = read_priors(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..
 USED = {}
 
 
-class Stream:
-    """A stream of bits, its models and its runs. `blocks` are the blocks of its contexts by name."""
+class Models:
+    """4.1: what the contexts of one stream know. `blocks` are the blocks of its contexts by name."""
 
-    def __init__(self, data, kind):
-        self.data = data
-        self.at = 0
-        self.bits = 8 * len(data)
+    def __init__(self, kind):
         self.used = USED.setdefault(kind, {})
         kind = KINDS[kind]
         self.blocks = kind.blocks
@@ -86,6 +83,29 @@ class Stream:
         self.fast = [2097152 if c == "P" else PRIOR[c] * 64 for c in letters]
         self.slow = list(self.fast)
         self.seen = [0 if c == "P" else kind.seen for c in letters]
+
+    def expect(self, context):
+        """The likely value and the class."""
+        chance = (self.fast[context] + self.slow[context]) >> 7
+        likely = chance >= 32768
+        return likely, CLASS_OF[((65535 - chance) if likely else chance) >> 4]
+
+    def update(self, context, answer):
+        goal = 4194303 if answer else 0
+        rate = 655360 // (10 * self.seen[context] + 13)
+        self.slow[context] += ((goal - self.slow[context]) * rate) >> 16
+        self.fast[context] += ((goal - self.fast[context]) * max(rate, 3276)) >> 16
+        self.seen[context] = min(self.seen[context] + 1, 510)
+
+
+class Stream(Models):
+    """A stream of bits and its runs."""
+
+    def __init__(self, data, kind):
+        super().__init__(kind)
+        self.data = data
+        self.at = 0
+        self.bits = 8 * len(data)
         self.left = [0] * 15
         self.ends_in_miss = [False] * 15
 
@@ -106,15 +126,12 @@ class Stream:
         v = self.plain(w - 1)
         return v if v < b else v * 2 + self.plain(1) - b
 
-    def flag(self, context):
-        """4.2, 4.1: true for yes."""
-        fast = self.fast[context]
-        slow = self.slow[context]
-        seen = self.seen[context]
-        chance = (fast + slow) >> 7
-        likely = chance >= 32768
-        c = CLASS_OF[((65535 - chance) if likely else chance) >> 4]
-
+    def flag(self, block, *coordinates):
+        """4.2: true for yes."""
+        self.used[block.name] = self.used.get(block.name, 0) + 1
+        context = block(*coordinates)
+        likely, c = self.expect(context)
+        # 1
         if self.left[c] == 0:
             if self.plain(1):
                 self.left[c] = RUN_OF[c]
@@ -122,26 +139,18 @@ class Stream:
             else:
                 self.left[c] = self.below(RUN_OF[c]) + 1
                 self.ends_in_miss[c] = True
+        # 2
         self.left[c] -= 1
         missed = self.left[c] == 0 and self.ends_in_miss[c]
+        # 3
         answer = likely != missed
-
-        goal = 4194303 if answer else 0
-        rate = 655360 // (10 * seen + 13)
-        self.slow[context] = slow + (((goal - slow) * rate) >> 16)
-        self.fast[context] = fast + (((goal - fast) * max(rate, 3276)) >> 16)
-        self.seen[context] = min(seen + 1, 510)
+        self.update(context, answer)
         return answer
-
-    def flag_of(self, block, *coordinates):
-        self.used[block.name] = self.used.get(block.name, 0) + 1
-        return self.flag(block(*coordinates))
 
     def number(self, block):
         """4.3"""
-        self.used[block.name] = self.used.get(block.name, 0) + 1
         n = 1
-        while n < 64 and self.flag(block(n - 1)):
+        while n < 64 and self.flag(block, n - 1):
             n += 1
         return 2 ** (n - 1) + self.plain(n - 1) - 1
 

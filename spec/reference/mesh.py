@@ -19,7 +19,7 @@ def coordinates(head, positions, v):
     result = []
     for k in range(3):
         if head.lossless:
-            x = positions.coordinate[v][k]
+            x = positions.coordinate_of(v, k)
         else:
             x = head.origin[k] + head.step * positions.value[v][k]
         result.append(bits_of(x, head.wide))

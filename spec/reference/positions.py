@@ -7,7 +7,6 @@ import guesses
 from conventions import NONE, Bytes, clamp, i64, scale, width
 from echoes import Echoes
 from errors import require
-from flags import Stream
 from followers import Followers
 from guesses import NUMBER
 
@@ -71,8 +70,7 @@ def read_positions_head(data, head):
 class Positions:
     """All vertices so far: values, coordinates, magnitudes."""
 
-    def __init__(self, head, block, data):
-        p = read_positions_head(data, head)
+    def __init__(self, head, block, p, stream):
         self.head = p
         self.block = block
         self.wide = head.wide
@@ -81,8 +79,10 @@ class Positions:
         self.digits = p.digits
         self.place_origin = getattr(p, "place_origin", None)
         self.place_scale = getattr(p, "place_scale", None)
+        # 8.2: coordinates that do not follow from values; elsewhere `coordinate` has None
+        self.keeps_coordinates = p.base == DECIMAL and p.digits > 0
         self.M = 2**40 if p.base == GRID else 2**53
-        self.stream = Stream(p.bits, "positions")
+        self.stream = stream
         self.contexts = self.stream.blocks
         self.value = []
         self.coordinate = []
@@ -99,7 +99,7 @@ class Positions:
         self.last_whole_zero = [False] * 3
 
     def flag(self, name, *coordinates):
-        return self.stream.flag_of(self.contexts[name], *coordinates)
+        return self.stream.flag(self.contexts[name], *coordinates)
 
     # 8.2
 
@@ -113,26 +113,29 @@ class Positions:
     def value_and_coordinate(self, whole, rest, zeros, negative):
         m = abs(whole)
         e = self.digits_of_rest(m)
+        coordinate = None
         if self.base == GRID:
-            return float(whole), None
+            return float(whole), coordinate
         if self.base == DECIMAL:
             a, b = (m * 10**e + rest, e + zeros) if rest else (m, 0)
             value = float(a) / float(10**b)
-            coordinate = float(a) / float(10 ** (b + self.places))
+            if self.keeps_coordinates:
+                coordinate = float(a) / float(10 ** (b + self.places))
         else:
             value = float(m)
             if rest:
                 value = value + scale(float(rest), -(e + zeros))
-            coordinate = scale(value, -self.places)
         if whole < 0 or (whole == 0 and negative):
             value = -value
-            coordinate = -coordinate
+            if self.keeps_coordinates:
+                coordinate = -coordinate
         return value, coordinate
 
-    def coordinate_of_value(self, value):
-        """8.2, where a coordinate follows from its value."""
-        if self.base == GRID:
-            return None
+    def coordinate_of(self, v, axis):
+        """The coordinate of a vertex that is no outlier, where it is `lossless`."""
+        if self.keeps_coordinates:
+            return self.coordinate[v][axis]
+        value = self.value[v][axis]
         if self.base == DECIMAL:
             return value / float(10**self.places)
         return scale(value, -self.places)
@@ -161,8 +164,7 @@ class Positions:
             self.outlier_bits[v] = [self.stream.plain(64 if self.wide else 32) for _ in range(3)]
             p0 = stencil[0]
             if p0 == NONE:
-                zero = self.coordinate_of_value(0.0)
-                self.add((0.0,) * 3, (zero,) * 3, half)
+                self.add((0.0,) * 3, (0.0,) * 3, half)
             else:
                 self.add(self.value[p0], self.coordinate[p0], half)
             if self.followers:
@@ -226,8 +228,6 @@ class Positions:
                     value[k] = value_said[k]
                     coordinate[k] = coordinate_said[k]
                     require(abs(value[k]) < self.M, "the value of an echo or of a leader")
-                    if self.digits == 0:
-                        coordinate[k] = self.coordinate_of_value(value[k])
                 continue
             # 7.3
             if echo:
@@ -307,12 +307,16 @@ class Positions:
             return 0, 0, False
         if self.base == DECIMAL:
             require(self.places + zeros + e <= 22, "more than 22 decimal places")
+        return self.read_rest(e), zeros, negative
+
+    def read_rest(self, e):
+        if self.base == DECIMAL:
             rest = self.stream.plain(width(10**e - 1))
             require(rest < 10**e, "rest of 10^e or more")
         else:
             rest = self.stream.plain(e)
         require(rest != 0, "rest 0 where it can't be")
-        return rest, zeros, negative
+        return rest
 
     # 8.6
 

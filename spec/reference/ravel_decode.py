@@ -8,9 +8,10 @@ import sys
 
 import container
 from container import COMPANIONS, ATTRIBUTES, CONNECTIVITY, NAMES, ORDER, POSITIONS
-from errors import Invalid
+from errors import Invalid, require
 from mesh import build_mesh
-from positions import Positions
+from flags import Stream
+from positions import Positions, read_positions_head
 from strip import read_strip
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
@@ -26,13 +27,16 @@ def decode(data, with_strip=True):
     container.check_sections(sections, head, block)
     container.check_sizes(block, sections)
     # 5 - 8
-    positions = Positions(head, block, sections[POSITIONS])
-    walk = (TetWalk if head.tets else SurfaceWalk)(head, block, sections[CONNECTIVITY], positions)
+    positions_head = read_positions_head(sections[POSITIONS], head)
+    positions = Positions(head, block, positions_head, Stream(positions_head.bits, "positions"))
+    stream = Stream(sections[CONNECTIVITY], "tet" if head.tets else "surface")
+    walk = (TetWalk if head.tets else SurfaceWalk)(head, block, stream, positions)
     walk.run()
     # 9
     mesh = build_mesh(head, block, walk)
     if with_strip:
-        mesh.is_link = read_strip(block, walk)
+        mesh.is_link = read_strip(walk)
+        require(sum(mesh.is_link) == block.links, "links other than `links`")
     return mesh
 
 

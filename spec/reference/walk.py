@@ -2,16 +2,15 @@
 
 from conventions import MASK64, NONE, unzigzag
 from errors import require
-from flags import Stream
 
 OPEN, BORDER, GONE = "open", "border", "gone"
 
 
 class Walk:
-    def __init__(self, head, block, connectivity, kind, positions):
+    def __init__(self, head, block, stream, positions):
         self.block = block
         self.lossless = head.lossless
-        self.stream = Stream(connectivity, kind)
+        self.stream = stream
         self.contexts = self.stream.blocks
         self.positions = positions
         # 5: state
@@ -32,7 +31,7 @@ class Walk:
         self.last_copied = 0
 
     def flag(self, name, *coordinates):
-        return self.stream.flag_of(self.contexts[name], *coordinates)
+        return self.stream.flag(self.contexts[name], *coordinates)
 
     def number(self, name):
         return self.stream.number(self.contexts[name])

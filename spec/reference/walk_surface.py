@@ -6,8 +6,8 @@ from walk import BORDER, GONE, OPEN, Walk
 
 
 class SurfaceWalk(Walk):
-    def __init__(self, head, block, connectivity, positions):
-        super().__init__(head, block, connectivity, "surface", positions)
+    def __init__(self, head, block, stream, positions):
+        super().__init__(head, block, stream, positions)
         self.next = []
         self.prev = []
         self.seen = []

@@ -15,8 +15,8 @@ KIND_NUMBER = {"fold": 0, "fresh": 1, "old": 2}
 class TetWalk(Walk):
     """Edge (f, e) has the number 3 * f + e in `mate` and `fan`."""
 
-    def __init__(self, head, block, connectivity, positions):
-        super().__init__(head, block, connectivity, "tet", positions)
+    def __init__(self, head, block, stream, positions):
+        super().__init__(head, block, stream, positions)
         self.mate = []
         self.fan = []
         self.open_count = []

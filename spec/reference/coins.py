@@ -1,0 +1,305 @@
+"""A writer that tosses coins: files that are valid, or nearly, and that no sane writer makes.
+
+It drives the walk of this decoder with answers by chance, notes them, and writes the streams from which a
+reader reads the same.
+"""
+
+import random
+import struct
+from types import SimpleNamespace
+
+import container
+import guesses
+from conventions import NONE, crc32c, width
+from errors import Invalid
+from flags import RUN_OF, Models
+from positions import BINARY, DECIMAL, GRID, Positions
+from strip import read_strip
+from walk import GONE
+from walk_surface import SurfaceWalk
+from walk_tet import TetWalk
+
+
+class CoinStream(Models):
+    """Answers by chance where a stream would answer what it holds."""
+
+    def __init__(self, kind, chances):
+        super().__init__(kind)
+        self.chances = chances
+        self.noted = []  # (class, missed) of a flag, (None, bits as text)
+
+    def toss(self, name, likely):
+        chance = self.chances.get(name)
+        if chance is None:
+            chance = self.chances[name] = random.choice((0.03, 0.2, 0.5, 0.8, 0.97, -1, -1))
+        if chance < 0:  # mostly what the model expects
+            return likely if random.random() < 0.9 else not likely
+        return random.random() < chance
+
+    def note_flag(self, block, coordinates, answer):
+        context = block(*coordinates)
+        likely, c = self.expect(context)
+        self.noted.append((c, answer != likely))
+        self.update(context, answer)
+        return answer
+
+    def flag(self, block, *coordinates):
+        self.used[block.name] = self.used.get(block.name, 0) + 1
+        likely, _ = self.expect(block(*coordinates))
+        return self.note_flag(block, coordinates, bool(self.toss(block.name, likely)))
+
+    def plain(self, n, value=None):
+        if value is None:
+            value = random.getrandbits(n)
+        self.noted.append((None, bin(value)[2:].zfill(n) if n else ""))
+        return value
+
+    def number(self, block, value=None):
+        if value is None:
+            value = int(random.expovariate(0.4))
+        n = width(value + 1)
+        for i in range(1, n):
+            self.note_flag(block, (i - 1,), True)
+        if n < 64:
+            self.note_flag(block, (n - 1,), False)
+        self.plain(n - 1, value + 1 - 2 ** (n - 1))
+        return value
+
+    def end(self):
+        pass
+
+    def bytes(self):
+        """4.2, turned round: the code of a run stands where its first flag is asked for."""
+        misses = [[] for _ in RUN_OF]
+        for c, what in self.noted:
+            if c is not None:
+                misses[c].append(what)
+        at = [0] * len(RUN_OF)
+        left = [0] * len(RUN_OF)
+        bits = []
+        for c, what in self.noted:
+            if c is None:
+                bits.append(what)
+                continue
+            if left[c] == 0:
+                run = misses[c][at[c] : at[c] + RUN_OF[c]]
+                if True in run:
+                    left[c] = run.index(True) + 1
+                    bits.append("0" + below(RUN_OF[c], left[c] - 1))
+                else:
+                    left[c] = RUN_OF[c]
+                    bits.append("1")
+            left[c] -= 1
+            at[c] += 1
+        bits = "".join(bits)
+        bits += "0" * (-len(bits) % 8)
+        return bytes(int(bits[i : i + 8], 2) for i in range(0, len(bits), 8))
+
+
+def below(s, value):
+    if s <= 1:
+        return ""
+    w = width(s - 1)
+    b = 2**w - s
+    if value < b:
+        return bin(value)[2:].zfill(w - 1) if w > 1 else ""
+    return bin(value + b)[2:].zfill(w)
+
+
+def zigzag(v):
+    return v * 2 if v >= 0 else -v * 2 - 1
+
+
+def varint(u):
+    out = b""
+    while u >= 128:
+        out += bytes([u & 127 | 128])
+        u >>= 7
+    return out + bytes([u])
+
+
+class CoinPositions(Positions):
+    def read_rest(self, e):
+        rest = random.randrange(1, 10**e if self.base == DECIMAL else 2**e)
+        self.stream.plain(width(10**e - 1) if self.base == DECIMAL else e, rest)
+        return rest
+
+
+class CoinWalk:
+    """Mixed into both walks: numbers that mostly name something, and an end."""
+
+    most_cells = 30
+
+    def number(self, name):
+        pick = None
+        if name == "kCopyOf":
+            originals = [v for v, c in enumerate(self.copy_of) if c == NONE]
+            if originals:
+                pick = zigzag(random.choice(originals) - self.last_copied)
+        elif name == "kDegreeRest":
+            pick = random.choice((0, 1, 2, 3, 4, 9))
+            pick = 2 if pick < 2 and self.gate[-1] != NONE else pick
+        elif name == "kOldFar":
+            pick = self.pick_old()
+        return self.stream.number(self.contexts[name], pick)
+
+    def flag(self, name, *coordinates):
+        if self.cell_count >= self.most_cells and name in self.ending:
+            block = self.contexts[name]
+            return self.stream.note_flag(block, coordinates, self.ending[name])
+        if name == "kCopy" and NONE not in self.copy_of:
+            return self.stream.note_flag(self.contexts[name], coordinates, False)
+        return super().flag(name, *coordinates)
+
+    def run(self):
+        """5.1, but for the end: one component after the other until there are enough cells."""
+        self.seeds = 0
+        while self.cell_count < self.most_cells:
+            self.enter(NONE)
+            self.seeds += 1
+            cell = self.cell_count - 1
+            while True:
+                out = self.exit(cell)
+                if out != NONE:
+                    if self.cell_count > 6 * self.most_cells + 100:
+                        raise Endless()
+                    self.enter(out)
+                    cell = self.cell_count - 1
+                elif self.gate[cell] == NONE:
+                    break
+                else:
+                    cell = self.cell_of[self.gate[cell]]
+
+
+class Endless(Exception):
+    pass
+
+
+class CoinSurface(CoinWalk, SurfaceWalk):
+    ending = {"kBorder": True, "kZipRight": True, "kZipLeft": True, "kZipMiddle": True}
+
+    def pick_old(self):
+        base = self.first[self.cell_count - 1]
+        front = [f for f in range(base) if self.state[f] != GONE and self.state[self.prev[f]] != GONE]
+        return base - 1 - random.choice(front) if front else None
+
+
+class CoinTet(CoinWalk, TetWalk):
+    ending = {"kBorder": True, "kGlue": True, "kNew": False}
+
+    def pick_old(self):
+        corners = self.triple(self.gate[-1])
+        others = [v for v in range(self.vertex_count) if v not in corners]
+        return self.vertex_count - 1 - random.choice(others) if others else None
+
+
+def coin(chance):
+    return random.random() < chance
+
+
+def make_head():
+    head = SimpleNamespace(tets=coin(0.5), wide=coin(0.5), lossless=coin(0.6), step=1.0, origin=(0.0,) * 3)
+    narrow = not head.lossless and coin(0.5)
+    out = bytes([head.tets | head.wide << 1 | head.lossless << 2 | narrow << 4])
+    if not head.lossless:
+        numbers = [random.choice((1.0, 0.001, 2.0**-10, 1e30)), *(random.uniform(-9, 9) for _ in range(3)), 1.0, 0.5]
+        fields = struct.pack("<6f" if narrow else "<6d", *numbers)
+        head.step, *head.origin = struct.unpack("<6f" if narrow else "<6d", fields)[:4]
+        out += bytes([random.randrange(65)]) + fields
+    return head, out + b"\0"
+
+
+def make_positions_head(head):
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False)
+    p.has_outliers = coin(0.2)
+    p.has_minus_zero = head.lossless and coin(0.3)
+    p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
+    p.has_levels = coin(0.5)
+    p.has_follows = coin(0.5)
+    if head.lossless:
+        p.places = random.randrange(8) if p.base == DECIMAL else random.choice((0, 3, 24, 52, -5, 1000, -1000))
+        p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
+    has_echoes = coin(0.5)
+    fitted = random.getrandbits(7) & random.getrandbits(7)
+    out = bytes([p.has_outliers << 2 | p.has_minus_zero << 3 | p.base << 4 | has_echoes << 6 | p.has_levels << 7,
+                 fitted | p.has_follows << 7])
+    if head.lossless:
+        out += varint(zigzag(p.places)) + bytes([p.digits])
+    if has_echoes:
+        count = random.choice((1, 2, 3, 8))
+        p.cube_bits = random.choice((0, 1, 2, 3, 4, 6, 8, 12, 52))
+        p.looks_far = coin(0.5)
+        out += bytes([count, p.cube_bits | p.looks_far << 7])
+        for _ in range(count):
+            offset = [0 if p.digits or coin(0.2) else random.randint(-60, 60) for _ in range(3)]
+            p.echoes.append((random.randrange(8), offset))
+            out += bytes([p.echoes[-1][0]]) + b"".join(varint(zigzag(x)) for x in offset)
+    p.weights = {}
+    for c, name in enumerate(guesses.NAMES):
+        count = guesses.WEIGHT_COUNT[c]
+        p.weights[name] = guesses.DEFAULTS.get(name, [0] * count)
+        if fitted >> c & 1:
+            most = random.choice((300, 4096, 32767))
+            p.weights[name] = [random.randint(-most, most) for _ in range(count)]
+            out += b"".join(varint(zigzag(w)) for w in p.weights[name])
+    if head.tets and head.lossless:
+        p.place_origin = tuple(random.uniform(-40, 0) for _ in range(3))
+        p.place_scale = random.choice((1.0, 3.7, 0.01, -1.0, 1e5, float("nan")))
+        out += struct.pack("<4d", *p.place_origin, p.place_scale)
+    return p, out
+
+
+def make_file(seed):
+    """The bytes of a file; None where the coins lead nowhere."""
+    random.seed(seed)
+    head, head_bytes = make_head()
+    p, positions_bytes = make_positions_head(head)
+    H = random.choice((16, 64, 256))
+    block = SimpleNamespace(
+        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),
+        cells=2**31, corners=2**31, vertices=H, unused_points=0, uniform_degree=4)
+    if head.tets:
+        block.grid_side = random.choice((1, 2, 5, 30, 1000, 2**52))
+        block.grid_count = [random.choice((1, 2, 3, 4)) for _ in range(3)]
+    else:
+        block.uniform_degree = random.choice((0, 0, 0, 0, 2, 3, 4, 5, 11))
+    stream = CoinStream("tet" if head.tets else "surface", {})
+    positions_stream = CoinStream("positions", {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "outlier": 0.1})
+    positions = CoinPositions(head, block, p, positions_stream)
+    walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)
+    walk.most_cells = random.choice((1, 5, 5 + H // 4))
+    try:
+        walk.run()
+        # enough points for H to be that of the file
+        least = 0 if H == 16 else H // 2 + 1 - walk.vertex_count
+        unused_points = max(least, random.choice((0, 0, 1, 4)))
+        if walk.vertex_count + unused_points > H:
+            return None
+        block.vertices = walk.vertex_count
+        block.unused_points = unused_points
+        positions.read_unused_points()
+    except (Endless, Invalid):
+        return None
+    block.cells = walk.cell_count
+    block.links = sum(read_strip(walk))
+    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
+    fields = [block.cells]
+    if not head.tets:
+        fields += [block.uniform_degree] if block.uniform_degree else [0, len(walk.vertex)]
+    fields.append(block.vertices)
+    if block.has_copies:
+        fields.append(walk.copy_of.count(NONE))
+    fields += [block.unused_points, 0, walk.seeds, block.links]
+    if head.tets:
+        fields += [block.grid_side, *block.grid_count]
+    sections = {
+        container.HEAD: head_bytes,
+        container.BLOCK: bytes([flags]) + b"".join(varint(x) for x in fields),
+        container.CONNECTIVITY: stream.bytes(),
+        container.POSITIONS: positions_bytes + positions_stream.bytes(),
+    }
+    return b"Rav1\x01" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
+
+
+def section(id, data):
+    return bytes([id]) + varint(len(data) * 2) + struct.pack("<I", crc32c(data)) + data
