@@ -298,6 +298,23 @@ def make_file(seed):
         container.CONNECTIVITY: stream.bytes(),
         container.POSITIONS: positions_bytes + positions_stream.bytes(),
     }
+    return whole_file(sections)
+
+
+def damage(data):
+    """A file with a few bits of one section other than they were, checksums right."""
+    sections = container.read_sections(data)
+    id = random.choice([id for id in sections if sections[id]])
+    damaged = bytearray(sections[id])
+    for _ in range(random.choice((1, 1, 2))):
+        damaged[random.randrange(len(damaged))] ^= 1 << random.randrange(8)
+    if coin(0.1):
+        damaged = damaged[: random.randrange(len(damaged))]
+    sections[id] = bytes(damaged)
+    return whole_file(sections)
+
+
+def whole_file(sections):
     return b"Rav1\x01" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
 
 

@@ -16,6 +16,8 @@ from strip import read_strip
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
 
+WRONG_LINKS = "links other than `links`"
+
 
 def decode(data, with_strip=True):
     """A mesh from the bytes of a file."""
@@ -36,7 +38,7 @@ def decode(data, with_strip=True):
     mesh = build_mesh(head, block, walk)
     if with_strip:
         mesh.is_link = read_strip(walk)
-        require(sum(mesh.is_link) == block.links, "links other than `links`")
+        require(sum(mesh.is_link) == block.links, WRONG_LINKS)
     return mesh
 
 
