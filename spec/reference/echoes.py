@@ -51,7 +51,7 @@ class Echoes:
         found = NONE
         s = [x * self.inverse for x in p]
         low = [cube(x - rho) for x in s]
-        high = [cube(x + rho) for x in s]
+        high = [min(cube(x + rho), low[axis] + 2) for axis, x in enumerate(s)]
         for z in range(low[2], high[2] + 1):
             for y in range(low[1], high[1] + 1):
                 for x in range(low[0], high[0] + 1):
