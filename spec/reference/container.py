@@ -101,9 +101,15 @@ def read_attribute_head(bytes):
     require(kind >> 4 < len(SCALARS), "scalar")
     a.scalar = SCALARS[kind >> 4]
     width = bytes.varint()
-    a.arity = width >> 1
+    a.arity = width >> 2
     require(1 <= a.arity <= 65535, "arity")
     a.tuples = bytes.varint()
+    if width & 2:
+        require(a.scalar in ("f32", "f64"), "a bound of integers")
+        bound = bytes.f64()
+        error = bytes.f64()
+        require(math.isfinite(bound) and bound > 0, "bound of an attribute")
+        require(0 <= error <= bound, "error of an attribute")
     if width & 1:
         require(a.scalar in ("u32", "i32", "u64", "i64"), "references by such a scalar")
         count = bytes.varint()

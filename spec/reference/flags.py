@@ -1,5 +1,6 @@
 """Chapter 4: flags, plain bits and numbers."""
 
+import math
 import os
 
 from conventions import width
@@ -65,8 +66,44 @@ def read_priors(path):
     return kinds
 
 
+# 11.1: what the streams of companions, attributes and order have besides the contexts of `positions`
+ATTRIBUTE_BLOCKS = (
+    ("same", 4, 8, 4, 4),
+    ("lacks", 2, 2),
+    ("fresh", 3, 8),
+    ("recent", 8),
+    ("flood", 4, 3, 21, 2),
+    ("outlier", 2),
+    ("minus_zero", 3),
+    ("mark_facet", 2, 4, 4, 7),
+    ("mark_line", 7, 4, 4),
+    ("mark_point", 4, 2),
+    ("mark_turn", 2, 2, 2),
+    ("mark_block", 3),
+    ("number_echo", 8),
+    ("number_next", 16),
+    ("number_guess", 16),
+    ("number_near", 2),
+    ("turn", 9, 9, 8),
+)
+
+
+def attribute_kind(positions):
+    """11.1: of the contexts of residuals `size` and `second` are used, the others start even."""
+    kind = Kind(positions.seen)
+    kind.blocks = {name: positions.blocks[name] for name in ("size", "second")}
+    base = kind.blocks["second"].base + 256
+    for name, *sizes in ATTRIBUTE_BLOCKS:
+        sizes += [1] * (4 - len(sizes))
+        block = kind.blocks[name] = Block(name, base, tuple(sizes))
+        block.letters = "P" * math.prod(sizes)
+        base += len(block.letters)
+    return kind
+
+
 KINDS = read_priors(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "priors.txt"))
 
+KINDS["attributes"] = attribute_kind(KINDS["positions"])
 
 # The blocks of each kind of stream under which flags were read; `check` reports the others.
 USED = {}
@@ -77,8 +114,13 @@ class Models:
 
     def __init__(self, kind):
         self.used = USED.setdefault(kind, {})
-        kind = KINDS[kind]
-        self.blocks = kind.blocks
+        self.kind = KINDS[kind]
+        self.blocks = self.kind.blocks
+        self.begin()
+
+    def begin(self):
+        """All models as at the start."""
+        kind = self.kind
         letters = kind.contexts()
         self.fast = [2097152 if c == "P" else PRIOR[c] * 64 for c in letters]
         self.slow = list(self.fast)

@@ -32,7 +32,9 @@ def build_mesh(head, block, walk):
     mesh = SimpleNamespace(
         tets=head.tets, wide=head.wide, points=[], cells=[], companions=[], attributes=[],
         names=[], notes=[])
-    point_of = []
+    # the point of each vertex, and of each point a vertex that is no copy
+    point_of = mesh.point_of = []
+    mesh.vertex_of = [v for v in range(block.vertices) if walk.copy_of[v] == NONE]
     for v in range(block.vertices):
         copied = walk.copy_of[v]
         if copied == NONE:

@@ -9,9 +9,9 @@ from echoes import Echoes
 from errors import require
 from followers import Followers
 from guesses import NUMBER
+from sizes import Sizes
 
 GRID, DECIMAL, BINARY = range(3)
-MOST32 = 2**32 - 1
 
 
 def read_positions_head(data, head):
@@ -86,9 +86,8 @@ class Positions:
         self.contexts = self.stream.blocks
         self.value = []
         self.coordinate = []
-        self.magnitudes = []
         self.outlier_bits = {}
-        self.usual = {name: 256 for name in guesses.NAMES}
+        self.sizes = Sizes(stream, len(guesses.NAMES))
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
         self.prior = NONE
@@ -155,18 +154,17 @@ class Positions:
     def read(self, configuration, stencil):
         stencil = stencil + [NONE] * (11 - len(stencil))
         v = len(self.value)
-        n = len([p for p in stencil[:3] if p != NONE])
-        sums = [sum(self.magnitudes[p][k] for p in stencil[:3] if p != NONE) for k in range(3)]
-        mean = [sums[k] // n if n else 0 for k in range(3)]
-        half = [mean[k] // 2 for k in range(3)]
+        sizes = self.sizes
+        sizes.begin([p for p in stencil[:3] if p != NONE], NUMBER[configuration])
         # 1
         if self.head.has_outliers and self.flag("outlier", 0):
             self.outlier_bits[v] = [self.stream.plain(64 if self.wide else 32) for _ in range(3)]
             p0 = stencil[0]
             if p0 == NONE:
-                self.add((0.0,) * 3, (0.0,) * 3, half)
+                self.add((0.0,) * 3, (0.0,) * 3)
             else:
-                self.add(self.value[p0], self.coordinate[p0], half)
+                self.add(self.value[p0], self.coordinate[p0])
+            sizes.keep(v, sizes.half)
             if self.followers:
                 self.followers.skip()
             return
@@ -196,16 +194,9 @@ class Positions:
             self.prior = leader
         elif echo and self.head.echoes[echo[1]][0] == 0:
             self.prior = echo[0]
-        # 6
-        usual = self.usual[configuration]
-        expected = []
-        for k in range(3):
-            near = usual if n == 0 else (13 * sums[k] + sum(sums)) // n
-            expected.append((29 * near + 3 * usual) >> 5)
         # 7
         value = [0.0] * 3
         coordinate = [None] * 3
-        r = [0] * 3
         for k in range(3):
             # 7.1
             same = False
@@ -231,31 +222,23 @@ class Positions:
                 continue
             # 7.3
             if echo:
-                context, bits = 96 + k, 2
+                residual = sizes.residual(k, 96 + k)
             elif follows:
-                context, bits = 99 + k, 2
+                residual = sizes.residual(k, 99 + k)
             else:
-                context, bits = self.expected_size(k, expected, r)
-            residual = self.residual(context, bits)
+                residual = sizes.residual(k)
             whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
             require(-self.M < whole < self.M, "whole")
             value[k], coordinate[k] = self.value_and_coordinate(whole, *self.behind_the_point(k, whole))
-            r[k] = min(abs(residual), MOST32)
         # 8
-        if follows or echo:
-            magnitudes = half
-        else:
-            magnitudes = r
-            done = sum(r)
-            self.usual[configuration] = usual + ((16 * done // 3 + 31) >> 5) - ((usual + 31) >> 5)
-        self.add(tuple(value), tuple(coordinate), magnitudes)
+        sizes.keep(v, sizes.half if follows or echo else None)
+        self.add(tuple(value), tuple(coordinate))
         if self.followers:
             self.followers.enter(v)
 
-    def add(self, value, coordinate, magnitudes):
+    def add(self, value, coordinate):
         self.value.append(value)
         self.coordinate.append(coordinate)
-        self.magnitudes.append(magnitudes)
         if self.echoes:
             self.echoes.enter(len(self.value) - 1)
 
@@ -318,45 +301,11 @@ class Positions:
         require(rest != 0, "rest 0 where it can't be")
         return rest
 
-    # 8.6
-
-    def expected_size(self, k, expected, r):
-        done = sum(r[:k])
-        if k == 0:
-            e = expected[0]
-        elif k == 1:
-            e = (13 * expected[1] + 48 * done) >> 4
-        else:
-            e = (23 * expected[2] + 72 * done) >> 5
-        b = width(e + 1) - 1
-        half = 1 if ((e + 1) << 15) >> b >= 46341 else 0
-        return min(2 * b + half, 95), 2 if b < 5 else b - 3
-
-    def residual(self, context, bits):
-        if self.flag("size", context, 0):
-            return 0
-        s = bits
-        step = 0
-        if self.flag("size", context, 1):
-            while s < 64 and self.flag("size", context, 2 + min(step, 20)):
-                s += 1
-                step += 1
-        else:
-            s -= 1
-            while s > 1 and not self.flag("size", context, 23 + min(step, 9)):
-                s -= 1
-                step += 1
-        m = 1
-        if s >= 2:
-            m = 2 + self.flag("second", clamp(s + 8, bits, bits + 15) - bits, s)
-        rest = max(s, 2) - 2
-        m = m * 2**rest + self.stream.plain(rest)
-        return i64(-m if self.stream.plain(1) else m)
-
     # 8.7
 
     def copy(self, original):
-        self.add(self.value[original], self.coordinate[original], [0, 0, 0])
+        self.sizes.keep(len(self.value), [0, 0, 0])
+        self.add(self.value[original], self.coordinate[original])
         if self.followers:
             self.followers.skip()
 

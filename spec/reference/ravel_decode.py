@@ -8,10 +8,14 @@ import sys
 
 import container
 from container import COMPANIONS, ATTRIBUTES, CONNECTIVITY, NAMES, ORDER, POSITIONS
+from attributes import Elements, read_attributes
+from companions import read_companions
 from errors import Invalid, require
 from mesh import build_mesh
+from names import read_names
 from flags import Stream
 from positions import Positions, read_positions_head
+from shape import Shape
 from strip import read_strip
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
@@ -36,6 +40,16 @@ def decode(data, with_strip=True):
     walk.run()
     # 9
     mesh = build_mesh(head, block, walk)
+    # 10, 11, 12
+    shape = Shape(head, block, walk, mesh)
+    marked_facets = []
+    if COMPANIONS in sections:
+        mesh.companions, marked_facets = read_companions(sections[COMPANIONS], block, shape)
+    if ATTRIBUTES in sections:
+        elements = Elements(shape, mesh.companions, marked_facets)
+        mesh.attributes = read_attributes(sections[ATTRIBUTES], head.attributes, elements)
+    if NAMES in sections:
+        mesh.names, mesh.notes = read_names(sections[NAMES])
     if with_strip:
         mesh.is_link = read_strip(walk)
         require(sum(mesh.is_link) == block.links, WRONG_LINKS)

@@ -26,6 +26,7 @@ class Walk:
         # what chapter 9 asks for
         self.flipped = []
         self.copy_of = []
+        self.stencils = []
         # 5.2
         self.was_copy = 0
         self.last_copied = 0
@@ -90,6 +91,7 @@ class Walk:
         self.vertex[c] = v
         self.on_border.append(0)
         self.add_vertex()
+        self.stencils.append((configuration, stencil))
         copied = NONE
         if self.block.has_copies:
             self.was_copy = self.flag("kCopy", self.was_copy)
