@@ -14,6 +14,7 @@ from errors import Invalid, require
 from mesh import build_mesh
 from names import read_names
 from flags import Stream
+from order import Order, restore
 from positions import Positions, read_positions_head
 from shape import Shape
 from strip import read_strip
@@ -45,11 +46,14 @@ def decode(data, with_strip=True):
     marked_facets = []
     if COMPANIONS in sections:
         mesh.companions, marked_facets = read_companions(sections[COMPANIONS], block, shape)
+    elements = Elements(shape, mesh.companions, marked_facets)
     if ATTRIBUTES in sections:
-        elements = Elements(shape, mesh.companions, marked_facets)
         mesh.attributes = read_attributes(sections[ATTRIBUTES], head.attributes, elements)
     if NAMES in sections:
         mesh.names, mesh.notes = read_names(sections[NAMES])
+    # 13
+    if head.keeps_order:
+        restore(Order(sections[ORDER], shape, mesh, elements))
     if with_strip:
         mesh.is_link = read_strip(walk)
         require(sum(mesh.is_link) == block.links, WRONG_LINKS)

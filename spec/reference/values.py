@@ -18,7 +18,7 @@ def shares(guess, near, places, own_place):
     if guess in (NEAREST, NORMAL):
         return [1.0 if i == 0 else 0.0 for i in range(n)]
     if guess == MEAN:
-        return [1.0 / n] * n
+        return [1.0 / n for _ in range(n)]
     return linear_shares(near, places, own_place) if n else []
 
 
