@@ -150,3 +150,6 @@ def with_obj(mesh, data):
         if a.pooled:
             differences.compare(key + " pool", list(a.values), pool)
     return differences
+
+
+BY_ENDING = {"vtk": with_vtk, "ply": with_ply, "obj": with_obj}
