@@ -180,6 +180,18 @@ def read_block(data, tets):
     return b
 
 
+def check_memory(head, block, sections, limit):
+    """15: what the code beside the specification may take. This decoder takes more."""
+    P, Q, V = (88 if head.tets else 52), 80, 360
+    if head.keeps_order:
+        P, Q, V = P + 24, 192, 416
+    need = block.corners * P + block.cells * Q + (block.vertices + block.unused_points) * V
+    weight = {HEAD: 64, BLOCK: 64, COMPANIONS: 40, ATTRIBUTES: 4 if head.keeps_order else 2, NAMES: 72}
+    need += sum(len(data) * weight.get(id, 1) for id, data in sections.items())
+    if need > limit:
+        raise Invalid("limit_exceeded", f"{need} bytes")
+
+
 def check_sizes(block, sections):
     """3.3, the last paragraph."""
     most = 11088 * (len(sections[CONNECTIVITY]) + len(sections[POSITIONS]) + 16)

@@ -4,6 +4,7 @@
 ravel_decode.py FILE.ravel prints what is inside; errors are those of chapter 14.
 """
 
+import math
 import sys
 
 import container
@@ -24,7 +25,7 @@ from walk_tet import TetWalk
 WRONG_LINKS = "links other than `links`"
 
 
-def decode(data, with_strip=True):
+def decode(data, with_strip=True, limit=math.inf):
     """A mesh from the bytes of a file."""
     # 3
     sections = container.read_sections(data)
@@ -33,6 +34,7 @@ def decode(data, with_strip=True):
     container.check_references(head, block)
     container.check_sections(sections, head, block)
     container.check_sizes(block, sections)
+    container.check_memory(head, block, sections, limit)
     # 5 - 8
     positions_head = read_positions_head(sections[POSITIONS], head)
     positions = Positions(head, block, positions_head, Stream(positions_head.bits, "positions"))
