@@ -8,7 +8,7 @@ import beside as around
 from beside import NO_TUPLE
 from container import CELL, COMPANION, CORNER, MESH, POINT
 from conventions import Bytes, clamp, f32, i64, scale, unimage, unzigzag
-from errors import require
+from errors import Invalid, require
 from flags import Stream
 from links import CellLinks, CompanionLinks
 from sizes import Sizes
@@ -36,7 +36,7 @@ class Elements:
         }
 
 
-def read_attributes(data, heads, elements):
+def read_attributes(data, heads, elements, make_stream=Stream):
     bytes = Bytes(data)
     # 1
     attributes = [read_coding(bytes, a, elements.by_place[a.place].count) for a in heads]
@@ -45,7 +45,7 @@ def read_attributes(data, heads, elements):
         if a.planes:
             read_planes(bytes, a)
     # 3
-    stream = Stream(bytes.take(bytes.left()), "attributes")
+    stream = make_stream(bytes.take(bytes.left()), "attributes")
     for a in attributes:
         read_attribute(stream, a, elements)
     stream.end()
@@ -205,7 +205,7 @@ class Values:
             CORNER: self.normals.of_corner_element,
             CELL: self.normals.of_polygon,
         }.get(self.a.place)
-        if of is None or (self.shape.tets and self.a.place != POINT):
+        if of is None or self.shape.tets:
             return unit((0.0, 0.0, 0.0))
         if not self.tuples:
             return unit(of(t))

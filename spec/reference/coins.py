@@ -8,114 +8,17 @@ import random
 import struct
 from types import SimpleNamespace
 
+import coins_riding
 import container
 import guesses
+from coin_stream import CoinStream, coin, varint, zigzag
 from conventions import NONE, crc32c, width
 from errors import Invalid
-from flags import RUN_OF, Models
 from positions import BINARY, DECIMAL, GRID, Positions
 from strip import read_strip
 from walk import GONE
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
-
-
-class CoinStream(Models):
-    """Answers by chance where a stream would answer what it holds."""
-
-    def __init__(self, kind, chances):
-        super().__init__(kind)
-        self.chances = chances
-        self.noted = []  # (class, missed) of a flag, (None, bits as text)
-
-    def toss(self, name, likely):
-        chance = self.chances.get(name)
-        if chance is None:
-            chance = self.chances[name] = random.choice((0.03, 0.2, 0.5, 0.8, 0.97, -1, -1))
-        if chance < 0:  # mostly what the model expects
-            return likely if random.random() < 0.9 else not likely
-        return random.random() < chance
-
-    def note_flag(self, block, coordinates, answer):
-        context = block(*coordinates)
-        likely, c = self.expect(context)
-        self.noted.append((c, answer != likely))
-        self.update(context, answer)
-        return answer
-
-    def flag(self, block, *coordinates):
-        self.used[block.name] = self.used.get(block.name, 0) + 1
-        likely, _ = self.expect(block(*coordinates))
-        return self.note_flag(block, coordinates, bool(self.toss(block.name, likely)))
-
-    def plain(self, n, value=None):
-        if value is None:
-            value = random.getrandbits(n)
-        self.noted.append((None, bin(value)[2:].zfill(n) if n else ""))
-        return value
-
-    def number(self, block, value=None):
-        if value is None:
-            value = int(random.expovariate(0.4))
-        n = width(value + 1)
-        for i in range(1, n):
-            self.note_flag(block, (i - 1,), True)
-        if n < 64:
-            self.note_flag(block, (n - 1,), False)
-        self.plain(n - 1, value + 1 - 2 ** (n - 1))
-        return value
-
-    def end(self):
-        pass
-
-    def bytes(self):
-        """4.2, turned round: the code of a run stands where its first flag is asked for."""
-        misses = [[] for _ in RUN_OF]
-        for c, what in self.noted:
-            if c is not None:
-                misses[c].append(what)
-        at = [0] * len(RUN_OF)
-        left = [0] * len(RUN_OF)
-        bits = []
-        for c, what in self.noted:
-            if c is None:
-                bits.append(what)
-                continue
-            if left[c] == 0:
-                run = misses[c][at[c] : at[c] + RUN_OF[c]]
-                if True in run:
-                    left[c] = run.index(True) + 1
-                    bits.append("0" + below(RUN_OF[c], left[c] - 1))
-                else:
-                    left[c] = RUN_OF[c]
-                    bits.append("1")
-            left[c] -= 1
-            at[c] += 1
-        bits = "".join(bits)
-        bits += "0" * (-len(bits) % 8)
-        return bytes(int(bits[i : i + 8], 2) for i in range(0, len(bits), 8))
-
-
-def below(s, value):
-    if s <= 1:
-        return ""
-    w = width(s - 1)
-    b = 2**w - s
-    if value < b:
-        return bin(value)[2:].zfill(w - 1) if w > 1 else ""
-    return bin(value + b)[2:].zfill(w)
-
-
-def zigzag(v):
-    return v * 2 if v >= 0 else -v * 2 - 1
-
-
-def varint(u):
-    out = b""
-    while u >= 128:
-        out += bytes([u & 127 | 128])
-        u >>= 7
-    return out + bytes([u])
 
 
 class CoinPositions(Positions):
@@ -193,20 +96,16 @@ class CoinTet(CoinWalk, TetWalk):
         return self.vertex_count - 1 - random.choice(others) if others else None
 
 
-def coin(chance):
-    return random.random() < chance
-
-
-def make_head():
-    head = SimpleNamespace(tets=coin(0.5), wide=coin(0.5), lossless=coin(0.6), step=1.0, origin=(0.0,) * 3)
+def make_head(keeps_order):
+    head = SimpleNamespace(keeps_order=keeps_order, tets=coin(0.5), wide=coin(0.5), lossless=coin(0.6), step=1.0, origin=(0.0,) * 3)
     narrow = not head.lossless and coin(0.5)
-    out = bytes([head.tets | head.wide << 1 | head.lossless << 2 | narrow << 4])
+    out = bytes([head.tets | head.wide << 1 | head.lossless << 2 | keeps_order << 3 | narrow << 4])
     if not head.lossless:
         numbers = [random.choice((1.0, 0.001, 2.0**-10, 1e30)), *(random.uniform(-9, 9) for _ in range(3)), 1.0, 0.5]
         fields = struct.pack("<6f" if narrow else "<6d", *numbers)
         head.step, *head.origin = struct.unpack("<6f" if narrow else "<6d", fields)[:4]
         out += bytes([random.randrange(65)]) + fields
-    return head, out + b"\0"
+    return head, out
 
 
 def make_positions_head(head):
@@ -249,10 +148,10 @@ def make_positions_head(head):
     return p, out
 
 
-def make_file(seed):
-    """The bytes of a file; None where the coins lead nowhere."""
+def make_file(seed, rides=False):
+    """The bytes of a file; None where the coins lead nowhere. `rides`: with companions, attributes, order."""
     random.seed(seed)
-    head, head_bytes = make_head()
+    head, head_bytes = make_head(rides and coin(0.5))
     p, positions_bytes = make_positions_head(head)
     H = random.choice((16, 64, 256))
     block = SimpleNamespace(
@@ -282,6 +181,10 @@ def make_file(seed):
         return None
     block.cells = walk.cell_count
     block.links = sum(read_strip(walk))
+    try:
+        riding = coins_riding.make(head, block, walk) if rides else coins_riding.nothing()
+    except Invalid:
+        return None
     flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
     fields = [block.cells]
     if not head.tets:
@@ -289,14 +192,15 @@ def make_file(seed):
     fields.append(block.vertices)
     if block.has_copies:
         fields.append(walk.copy_of.count(NONE))
-    fields += [block.unused_points, 0, walk.seeds, block.links]
+    fields += [block.unused_points, riding.companions, walk.seeds, block.links]
     if head.tets:
         fields += [block.grid_side, *block.grid_count]
     sections = {
-        container.HEAD: head_bytes,
+        container.HEAD: head_bytes + riding.head,
         container.BLOCK: bytes([flags]) + b"".join(varint(x) for x in fields),
         container.CONNECTIVITY: stream.bytes(),
         container.POSITIONS: positions_bytes + positions_stream.bytes(),
+        **riding.sections,
     }
     return whole_file(sections)
 

@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from conventions import NONE, Bytes, width
+from conventions import NONE, Bytes
 from errors import require
 from flags import Stream
 from shape import flatness
@@ -10,7 +10,7 @@ from shape import flatness
 QUADRATIC_TET = 24
 
 
-def read_companions(data, block, shape):
+def read_companions(data, block, shape, make_stream=Stream):
     """The blocks, and the marked facets."""
     bytes = Bytes(data)
     count = bytes.varint()
@@ -44,7 +44,7 @@ def read_companions(data, block, shape):
             require(all(h < block.cells for h in b.hosts), "a host that does not exist")
     marked = []
     if any(b.kind == 2 for b in blocks):
-        marks = Marks(blocks, shape, Stream(bytes.take(bytes.left()), "attributes"))
+        marks = Marks(blocks, shape, make_stream(bytes.take(bytes.left()), "attributes"))
         marks.read()
         marked = marks.marked_facets
     bytes.end()
@@ -122,9 +122,7 @@ class Marks:
         l = max(self.last_block, self.open[0])
         if (not found or l != block) and self.flag("mark_block", 1 if found else 2):
             return l
-        i = self.stream.plain(width(len(self.open) - 1))
-        require(i < len(self.open), "a mark of a block that is not there")
-        return self.open[i]
+        return self.open[self.stream.plain_below(len(self.open), "a mark of a block that is not there")]
 
     def facets(self):
         shape = self.shape

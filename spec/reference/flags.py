@@ -3,7 +3,7 @@
 import math
 import os
 
-from conventions import width
+from conventions import clamp, i64, width
 from errors import require
 
 CLASS_BOUND = (4, 8, 16, 31, 51, 82, 135, 205, 307, 451, 655, 901, 1229, 1597)
@@ -140,6 +140,37 @@ class Models:
         self.seen[context] = min(self.seen[context] + 1, 510)
 
 
+    def number(self, block):
+        """4.3"""
+        n = 1
+        while n < 64 and self.flag(block, n - 1):
+            n += 1
+        return 2 ** (n - 1) + self.plain(n - 1) - 1
+
+    def residual(self, context, bits):
+        """8.6"""
+        size = self.blocks["size"]
+        if self.flag(size, context, 0):
+            return 0
+        s = bits
+        step = 0
+        if self.flag(size, context, 1):
+            while s < 64 and self.flag(size, context, 2 + min(step, 20)):
+                s += 1
+                step += 1
+        else:
+            s -= 1
+            while s > 1 and not self.flag(size, context, 23 + min(step, 9)):
+                s -= 1
+                step += 1
+        m = 1
+        if s >= 2:
+            m = 2 + self.flag(self.blocks["second"], clamp(s + 8, bits, bits + 15) - bits, s)
+        rest = max(s, 2) - 2
+        m = m * 2**rest + self.plain(rest)
+        return i64(-m if self.plain(1) else m)
+
+
 class Stream(Models):
     """A stream of bits and its runs."""
 
@@ -189,12 +220,11 @@ class Stream(Models):
         self.update(context, answer)
         return answer
 
-    def number(self, block):
-        """4.3"""
-        n = 1
-        while n < 64 and self.flag(block, n - 1):
-            n += 1
-        return 2 ** (n - 1) + self.plain(n - 1) - 1
+    def plain_below(self, n, why):
+        """As many plain bits as n - 1 has; `corrupt` unless they are below n."""
+        value = self.plain(width(n - 1))
+        require(value < n, why)
+        return value
 
     def end(self):
         """4.4"""

@@ -7,7 +7,7 @@ import math
 from beside import NO_TUPLE
 from companions import QUADRATIC_TET
 from container import CELL, COMPANION, CORNER, MESH, POINT
-from conventions import NONE, Bytes, clamp, width
+from conventions import NONE, Bytes, clamp
 from errors import require
 from flags import Stream
 from sizes import Sizes
@@ -21,7 +21,7 @@ MASK32 = 2**32 - 1
 
 
 class Order:
-    def __init__(self, data, shape, mesh, elements):
+    def __init__(self, data, shape, mesh, elements, make_stream=Stream):
         self.shape = shape
         self.mesh = mesh
         self.elements = elements
@@ -40,7 +40,7 @@ class Order:
             self.by.append(bytes.u8())
             require(self.by[-1] < 4, "by of companions")
             require(len(b.cells) < 2**30 and len(b.cells) * b.nodes_per_cell < 2**30, "too many companions")
-        self.stream = Stream(bytes.take(bytes.left()), "attributes")
+        self.stream = make_stream(bytes.take(bytes.left()), "attributes")
         self.old_point = None
         self.read()
         self.stream.end()
@@ -183,7 +183,7 @@ class Order:
                 sizes.begin(near, 0)
                 was_near = self.flag("number_near", was_near)
                 if was_near:
-                    number = (guessed + sizes.residual(0)) & MASK32
+                    number = self.read_near(guessed, sizes, left)
                     magnitudes = None
                 else:
                     number = left[self.stream.below(len(left))]
@@ -198,6 +198,9 @@ class Order:
             last = number
             before = e
         return number_of
+
+    def read_near(self, guessed, sizes, left):
+        return (guessed + sizes.residual(0)) & MASK32
 
     @staticmethod
     def guess(elements, e, found, number_of):
@@ -216,9 +219,7 @@ class Order:
                 return k
         if n <= 9:
             return n - 1
-        value = self.stream.plain(width(n - 1))
-        require(value < n, "a turn that the cell has not")
-        return value
+        return self.stream.plain_below(n, "a turn that the cell has not")
 
     # 13.3
 

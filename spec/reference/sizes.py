@@ -1,6 +1,6 @@
 """11.7 and 8.6: residuals and their expected sizes, of three slots."""
 
-from conventions import clamp, i64, width
+from conventions import width
 
 MOST32 = 2**32 - 1
 
@@ -32,7 +32,7 @@ class Sizes:
             context, bits = self.scale(k)
         else:
             bits = 2
-        residual = read_residual(self.stream, context, bits)
+        residual = self.stream.residual(context, bits)
         self.r[k] = min(abs(residual), MOST32)
         return residual
 
@@ -57,27 +57,3 @@ class Sizes:
             done = sum(self.r)
             self.usual[self.configuration] = usual + ((16 * done // 3 + 31) >> 5) - ((usual + 31) >> 5)
         self.magnitudes[element] = magnitudes
-
-
-def read_residual(stream, context, bits):
-    """8.6"""
-    size = stream.blocks["size"]
-    if stream.flag(size, context, 0):
-        return 0
-    s = bits
-    step = 0
-    if stream.flag(size, context, 1):
-        while s < 64 and stream.flag(size, context, 2 + min(step, 20)):
-            s += 1
-            step += 1
-    else:
-        s -= 1
-        while s > 1 and not stream.flag(size, context, 23 + min(step, 9)):
-            s -= 1
-            step += 1
-    m = 1
-    if s >= 2:
-        m = 2 + stream.flag(stream.blocks["second"], clamp(s + 8, bits, bits + 15) - bits, s)
-    rest = max(s, 2) - 2
-    m = m * 2**rest + stream.plain(rest)
-    return i64(-m if stream.plain(1) else m)

@@ -94,9 +94,7 @@ class TupleReader:
                 return tuple
         # 5
         require(self.used > 0, "a tuple although there are none")
-        tuple = self.stream.plain(width(self.used - 1))
-        require(tuple < self.used, "a tuple that does not exist")
-        return tuple
+        return self.stream.plain_below(self.used, "a tuple that does not exist")
 
 
 def read_in_order(reader, elements, beside):

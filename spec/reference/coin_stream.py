@@ -1,0 +1,146 @@
+"""The streams of a writer that tosses coins, and the fields of its sections."""
+
+import random
+
+from conventions import width
+from flags import RUN_OF, Models
+
+
+class CoinStream(Models):
+    """Answers by chance where a stream would answer what it holds."""
+
+    def __init__(self, kind, chances):
+        super().__init__(kind)
+        self.chances = chances
+        self.noted = []  # (class, missed) of a flag, (None, bits as text)
+        self.wanted = None  # the next residual, where it is not by chance
+
+    def toss(self, name, likely):
+        chance = self.chances.get(name)
+        if chance is None:
+            chance = self.chances[name] = random.choice((0.03, 0.2, 0.5, 0.8, 0.97, -1, -1))
+        if chance < 0:  # mostly what the model expects
+            return likely if random.random() < 0.9 else not likely
+        return random.random() < chance
+
+    def note_flag(self, block, coordinates, answer):
+        context = block(*coordinates)
+        likely, c = self.expect(context)
+        self.noted.append((c, answer != likely))
+        self.update(context, answer)
+        return answer
+
+    def flag(self, block, *coordinates):
+        self.used[block.name] = self.used.get(block.name, 0) + 1
+        likely, _ = self.expect(block(*coordinates))
+        return self.note_flag(block, coordinates, bool(self.toss(block.name, likely)))
+
+    def plain(self, n, value=None):
+        if value is None:
+            value = random.getrandbits(n)
+        self.noted.append((None, bin(int(value))[2:].zfill(n) if n else ""))
+        return value
+
+    def number(self, block, value=None):
+        if value is None:
+            value = int(random.expovariate(0.4))
+        n = width(value + 1)
+        for i in range(1, n):
+            self.note_flag(block, (i - 1,), True)
+        if n < 64:
+            self.note_flag(block, (n - 1,), False)
+        self.plain(n - 1, value + 1 - 2 ** (n - 1))
+        return value
+
+    def plain_below(self, n, why):
+        return self.plain(width(n - 1), random.randrange(n))
+
+    def below(self, s):
+        value = random.randrange(s)
+        self.noted.append((None, below(s, value)))
+        return value
+
+    def residual(self, context, bits):
+        if self.wanted is None:
+            return super().residual(context, bits)
+        r, self.wanted = self.wanted, None
+        m = abs(r)
+        size = self.blocks["size"]
+        self.note_flag(size, (context, 0), m == 0)
+        if m == 0:
+            return r
+        digits = width(m)
+        self.note_flag(size, (context, 1), digits >= bits)
+        if digits >= bits:
+            for step in range(digits - bits):
+                self.note_flag(size, (context, 2 + min(step, 20)), True)
+            if digits < 64:
+                self.note_flag(size, (context, 2 + min(digits - bits, 20)), False)
+        else:
+            for step, s in enumerate(range(bits - 1, 1, -1)):
+                self.note_flag(size, (context, 23 + min(step, 9)), s == digits)
+                if s == digits:
+                    break
+        if digits >= 2:
+            at = min(max(digits + 8, bits), bits + 15) - bits
+            self.note_flag(self.blocks["second"], (at, digits), m >> (digits - 2) & 1)
+        rest = max(digits, 2) - 2
+        self.plain(rest, m & ((1 << rest) - 1))
+        self.plain(1, r < 0)
+        return r
+
+    def end(self):
+        pass
+
+    def bytes(self):
+        """4.2, turned round: the code of a run stands where its first flag is asked for."""
+        misses = [[] for _ in RUN_OF]
+        for c, what in self.noted:
+            if c is not None:
+                misses[c].append(what)
+        at = [0] * len(RUN_OF)
+        left = [0] * len(RUN_OF)
+        bits = []
+        for c, what in self.noted:
+            if c is None:
+                bits.append(what)
+                continue
+            if left[c] == 0:
+                run = misses[c][at[c] : at[c] + RUN_OF[c]]
+                if True in run:
+                    left[c] = run.index(True) + 1
+                    bits.append("0" + below(RUN_OF[c], left[c] - 1))
+                else:
+                    left[c] = RUN_OF[c]
+                    bits.append("1")
+            left[c] -= 1
+            at[c] += 1
+        bits = "".join(bits)
+        bits += "0" * (-len(bits) % 8)
+        return bytes(int(bits[i : i + 8], 2) for i in range(0, len(bits), 8))
+
+
+def below(s, value):
+    if s <= 1:
+        return ""
+    w = width(s - 1)
+    b = 2**w - s
+    if value < b:
+        return bin(value)[2:].zfill(w - 1) if w > 1 else ""
+    return bin(value + b)[2:].zfill(w)
+
+
+def zigzag(v):
+    return v * 2 if v >= 0 else -v * 2 - 1
+
+
+def varint(u):
+    out = b""
+    while u >= 128:
+        out += bytes([u & 127 | 128])
+        u >>= 7
+    return out + bytes([u])
+
+
+def coin(chance):
+    return random.random() < chance
