@@ -178,6 +178,7 @@ static void errors_are_values(void) {
     ravel_packed* packed = NULL;
     ravel_encode_options options;
     ravel_array a = array_of(corners, 3, 1, RAVEL_U32);
+    const ravel_attribute_bound bound = {"heat", 4.5, RAVEL_BITS, 0};
     CHECK(ravel_mesh_new(2) == NULL);
     CHECK(ravel_mesh_set(mesh, RAVEL_CORNERS, &a, &error) == RAVEL_DONE);
     a = array_of(begin, 2, 1, RAVEL_U32);
@@ -187,6 +188,11 @@ static void errors_are_values(void) {
     CHECK(ravel_encode(mesh, NULL, &packed, NULL) == RAVEL_BAD_MESH);
     ravel_encode_options_init(&options, sizeof options);
     options.position_bits = 99;
+    CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_BAD_OPTION);
+    options.position_bits = 0;
+    options.attribute_bound_count = 1;
+    CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_BAD_ARGUMENT);
+    options.attribute_bounds = &bound;
     CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_BAD_OPTION);
     a = array_of(negative, 2, 1, RAVEL_I32);
     CHECK(ravel_mesh_set(mesh, RAVEL_CORNERS, &a, &error) == RAVEL_BAD_ARGUMENT);

@@ -1,4 +1,6 @@
 // Encoding for C.
+#include <cmath>
+
 #include "c/handle.h"
 
 struct ravel_packed {
@@ -14,6 +16,32 @@ ravel_encode_options default_options() {
     options.strip_budget = -1;
     options.level = EncodeOptions{}.level;
     return options;
+}
+
+// False where the kind is none, or the number of bits no whole number.
+bool add_bound(const ravel_attribute_bound& given, EncodeOptions& options) {
+    AttributeOptions bound;
+    bound.name = given.name;
+    const bool whole =
+        given.value >= 0 && given.value <= 64 && given.value == std::floor(given.value);
+    switch (given.kind) {
+        case RAVEL_BITS:
+            if (whole) bound.bits = static_cast<int>(given.value);
+            break;
+        case RAVEL_OCTAHEDRAL:
+            if (whole) bound.octahedral = static_cast<int>(given.value);
+            break;
+        case RAVEL_MAX_ERROR:
+            bound.max_error = given.value;
+            break;
+        case RAVEL_MAX_ERROR_RELATIVE:
+            bound.max_error_relative = given.value;
+            break;
+        default:
+            return false;
+    }
+    options.attributes.push_back(std::move(bound));
+    return given.kind == RAVEL_MAX_ERROR || given.kind == RAVEL_MAX_ERROR_RELATIVE || whole;
 }
 
 EncodeOptions options_of(const ravel_encode_options& given) {
@@ -53,8 +81,17 @@ int ravel_encode(const ravel_mesh* mesh, const ravel_encode_options* options, ra
     *packed = nullptr;
     if (mesh == nullptr) return fail(error, RAVEL_BAD_ARGUMENT, "the mesh is NULL");
     return guarded(error, [&]() -> int {
-        Result<Encoded> encoded =
-            encode(mesh->mesh, options_of(known_fields(options, default_options())));
+        const ravel_encode_options given = known_fields(options, default_options());
+        EncodeOptions wanted = options_of(given);
+        if (given.attribute_bounds == nullptr && given.attribute_bound_count > 0)
+            return fail(error, RAVEL_BAD_ARGUMENT, "the list of attribute bounds is NULL");
+        for (std::uint64_t i = 0; i < given.attribute_bound_count; ++i) {
+            const ravel_attribute_bound& bound = given.attribute_bounds[i];
+            if (bound.name == nullptr || !add_bound(bound, wanted))
+                return fail(error, RAVEL_BAD_OPTION,
+                            "an attribute bound has no name, no kind or no whole number of bits");
+        }
+        Result<Encoded> encoded = encode(mesh->mesh, wanted);
         if (!encoded) return fail(error, encoded.error());
         *packed = new ravel_packed{std::move(*encoded)};
         return RAVEL_DONE;
@@ -83,6 +120,15 @@ int ravel_packed_array(const ravel_packed* packed, int outcome, ravel_array* arr
             return RAVEL_DONE;
         case RAVEL_TURN:
             *array = view_of(e.order.turn, RAVEL_U32);
+            return RAVEL_DONE;
+        case RAVEL_NEW_COMPANION:
+            *array = view_of(e.order.companion, RAVEL_U64);
+            return RAVEL_DONE;
+        case RAVEL_COMPANION_TURN:
+            *array = view_of(e.order.companion_turn, RAVEL_U32);
+            return RAVEL_DONE;
+        case RAVEL_ATTRIBUTE_BOUNDS:
+            *array = view_of(e.attribute_bounds, RAVEL_F64);
             return RAVEL_DONE;
         default:
             return fail(error, RAVEL_BAD_ARGUMENT, "this outcome does not exist");

@@ -288,6 +288,20 @@ int ravel_mesh_add_note(ravel_mesh* mesh, const char* key, const char* text, rav
 
 /* -- Encoding ------------------------------------------------------------------------------- */
 
+/* How an attribute of floats may lose precision; attributes that none names come back exactly. */
+typedef enum ravel_bound_kind {
+    RAVEL_BITS = 0,               /* 1..30 along the widest range of a component */
+    RAVEL_MAX_ERROR = 1,          /* largest absolute error of any component */
+    RAVEL_MAX_ERROR_RELATIVE = 2, /* the same in widest ranges */
+    RAVEL_OCTAHEDRAL = 3          /* 3..24 bits, unit vectors of 3 components by two numbers */
+} ravel_bound_kind;
+typedef struct ravel_attribute_bound {
+    const char* name; /* all attributes of this name */
+    double value;
+    uint32_t kind; /* ravel_bound_kind */
+    uint32_t reserved;
+} ravel_attribute_bound;
+
 typedef struct ravel_encode_options {
     uint32_t struct_size;
     /* Positions are exact unless one of position_bits, max_error, max_error_relative and lattice is
@@ -301,6 +315,8 @@ typedef struct ravel_encode_options {
     uint32_t reserved;     /* 0 */
     double max_error_relative; /* as max_error, in diagonals of the bounding box */
     double lattice; /* a power of two: coordinates become multiples of it, alike in every mesh */
+    const ravel_attribute_bound* attribute_bounds;
+    uint64_t attribute_bound_count;
 } ravel_encode_options;
 void ravel_encode_options_init(ravel_encode_options* options, size_t struct_size);
 
@@ -314,10 +330,13 @@ void ravel_packed_free(ravel_packed* packed);
 
 /* What came of it; views are good until ravel_packed_free. */
 typedef enum ravel_outcome {
-    RAVEL_FILE = 0,      /* U8: the file */
-    RAVEL_NEW_POINT = 1, /* U64: where each point of the mesh is in the decoded mesh */
-    RAVEL_NEW_CELL = 2,  /* U64: where each cell is */
-    RAVEL_TURN = 3       /* U32: the corner (tets: the permutation) its new cell starts with */
+    RAVEL_FILE = 0,           /* U8: the file */
+    RAVEL_NEW_POINT = 1,      /* U64: where each point of the mesh is in the decoded mesh */
+    RAVEL_NEW_CELL = 2,       /* U64: where each cell is */
+    RAVEL_TURN = 3,           /* U32: the corner (tets: the permutation) its new cell starts with */
+    RAVEL_NEW_COMPANION = 4,  /* U64: where each companion is, over all blocks */
+    RAVEL_COMPANION_TURN = 5, /* U32: the node its new companion starts with */
+    RAVEL_ATTRIBUTE_BOUNDS = 6 /* F64: the largest error each attribute may have; 0 if exact */
 } ravel_outcome;
 int ravel_packed_array(const ravel_packed* packed, int outcome, ravel_array* array,
                        ravel_error* error);

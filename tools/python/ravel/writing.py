@@ -2,7 +2,7 @@
 
 import os
 import tempfile
-from ctypes import byref, c_void_p, sizeof
+from ctypes import addressof, byref, c_void_p, sizeof
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +19,8 @@ class Written(NamedTuple):
     new_cell: np.ndarray  # where each cell is, blocks of cells one after the other
     position_bound: float
     position_error: float
+    new_companion: np.ndarray  # where each companion is, blocks one after the other
+    attribute_bounds: np.ndarray  # the largest error of each attribute; 0 where it is exact
 
 
 def write(path, points, cells, point_data=None, cell_data=None, **options):
@@ -44,13 +46,14 @@ def write(path, points, cells, point_data=None, cell_data=None, **options):
 
 def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, companions=(), companion_data=None,
           mesh_data=None, tag_names=(), notes=(), position_bits=None, max_error=None, max_error_relative=None, lattice=None,
-          float32=False, keep_order=False, strip_budget=None, level=None):
+          attribute_bounds=None, float32=False, keep_order=False, strip_budget=None, level=None):
     """Packs a mesh.
 
     cells: blocks (type, data) as in meshio, {type: data}, or ("polygon", (begin, corners)) for polygons of
     any degree; all triangles, quads and polygons, or all tets. cell_data has one array per block. Positions
     are exact unless one of position_bits (1..30 along the longest side), max_error, max_error_relative (in
-    diagonals of the bounding box) and lattice (a power of two, alike for every mesh) is given.
+    diagonals of the bounding box) and lattice (a power of two, alike for every mesh) is given. Data are exact, too,
+    but for floats that attribute_bounds names: {name: {"bits": 12}}, or max_error, max_error_relative, octahedral.
     """
     kind, corners, begin, counts = _cells_of(cells)
     pack = lib.library()
@@ -96,9 +99,13 @@ def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, c
             options.strip_budget = strip_budget
         if level is not None:
             options.level = level
+        bounds = [_bound(name, bound) for name, bound in (attribute_bounds or {}).items()]
+        bounds = (lib.AttributeBound * len(bounds))(*bounds)
+        options.attribute_bounds, options.attribute_bound_count = addressof(bounds), len(bounds)
         lib.call("ravel_encode", mesh, byref(options), byref(packed))
         return Written(_outcome(packed, 0).tobytes(), _outcome(packed, 1).view(np.int64), _outcome(packed, 2).view(np.int64),
-                       pack.ravel_packed_bound(packed), pack.ravel_packed_error(packed))
+                       pack.ravel_packed_bound(packed), pack.ravel_packed_error(packed),
+                       _outcome(packed, 4).view(np.int64), _outcome(packed, 6))
     finally:
         pack.ravel_packed_free(packed)
         pack.ravel_mesh_free(mesh)
@@ -145,6 +152,13 @@ def _joined(values, counts, name):
     if len(values) != len(counts) or any(len(part) != count for part, count in zip(values, counts)):
         raise ValueError(f'"{name}" must have one array per block, with one row per cell')
     return np.concatenate([np.asarray(part) for part in values]) if len(values) else np.empty(0)
+
+
+def _bound(name, bound):
+    if len(bound) != 1:
+        raise ValueError(f"{name}: one bound, of {', '.join(lib.BOUND_KINDS)}")
+    kind, value = next(iter(bound.items()))
+    return lib.AttributeBound(_text(name), value, lib.BOUND_KINDS.index(kind), 0)
 
 
 def _text(text):

@@ -102,6 +102,16 @@ class Surfaces(unittest.TestCase):
         on_lattice = ravel.loads(ravel.dumps(points + 0.3, self.cells, lattice=2.0**-4).bytes).points * 16
         np.testing.assert_array_equal(on_lattice, np.round(on_lattice))
 
+    def test_data_keep_the_bound_they_are_given(self):
+        heat = np.linspace(0, 1, len(self.points))
+        written = ravel.dumps(self.points, self.cells, {"heat": heat, "exact": heat}, attribute_bounds={"heat": {"max_error": 1e-3}})
+        mesh = ravel.loads(written.bytes)
+        self.assertLessEqual(np.abs(mesh.point_data["heat"][written.new_point] - heat).max(), 1e-3)
+        np.testing.assert_array_equal(mesh.point_data["exact"][written.new_point], heat)
+        self.assertEqual([bound > 0 for bound in written.attribute_bounds], [True, False])
+        with self.assertRaises(ravel.RavelError):
+            ravel.dumps(self.points, self.cells, {"heat": heat}, attribute_bounds={"cold": {"bits": 8}})
+
     def test_whatever_a_mesh_has_comes_back(self):
         mesh = ravel.read(made("torus:quads=500,attributes,seed=3", "ply")[1])
         self.assertGreater(len(mesh.point_data) + len(mesh.cell_data), 1)
