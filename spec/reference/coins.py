@@ -181,9 +181,8 @@ def make_file(seed, rides=False):
         return None
     block.cells = walk.cell_count
     block.links = sum(read_strip(walk))
-    try:
-        riding = coins_riding.make(head, block, walk) if rides else coins_riding.nothing()
-    except Invalid:
+    riding = coins_riding.make_some(head, block, walk) if rides else coins_riding.nothing()
+    if not riding:
         return None
     flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
     fields = [block.cells]

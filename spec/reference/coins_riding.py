@@ -21,6 +21,16 @@ def nothing():
     return SimpleNamespace(companions=0, head=b"\0", sections={})
 
 
+def make_some(head, block, walk):
+    """Tries a few times: many coins lead nowhere."""
+    for _ in range(8):
+        try:
+            return make(head, block, walk)
+        except attributes.Invalid:
+            continue
+    return None
+
+
 def make(head, block, walk):
     block.points = sum(c == 2**32 - 1 for c in walk.copy_of)
     block.corners = len(walk.vertex)
@@ -38,11 +48,12 @@ def make(head, block, walk):
         riding.sections[container.COMPANIONS] = section
     # 11
     elements = attributes.Elements(shape, mesh.companions, marked_facets)
-    count = random.choice((0, 1, 2, 3))
-    heads = [make_attribute(i, elements, mesh) for i in range(count)]
+    count = random.choice((0, 1, 2, 3, 6))
+    floods = coin(0.3)  # several floods of one place see the walls of those before
+    heads = [make_attribute(i, elements, mesh, floods) for i in range(count)]
     riding.head = varint(count) + b"".join(h.bytes for h in heads)
     if count:
-        codings = b"".join(make_coding(h, elements) for h in heads)
+        codings = b"".join(make_coding(h, elements, floods) for h in heads)
         planes = b"".join(make_planes(codings, heads, elements))
         chances = {"size": random.choice((0.4, 0.7, -1)), "fresh": 0.5, "outlier": 0.1}
         mesh.attributes, section = read(
@@ -107,10 +118,10 @@ def deltas(values):
     return b"".join(varint(zigzag(v - last)) for last, v in zip([0, *values], values))
 
 
-def make_attribute(i, elements, mesh):
+def make_attribute(i, elements, mesh, floods):
     h = SimpleNamespace(name=b"a%d" % i, references=[])
     places = [POINT, CORNER, CELL, MESH] + ([COMPANION] if mesh.companions else [])
-    h.place = random.choice(places)
+    h.place = CELL if floods else random.choice(places)
     h.indexed = coin(0.4)
     h.scalar = random.choice(SCALARS + ("f32", "f64") * 4)
     h.arity = random.choice((1, 1, 2, 3, 3, 4, 7))
@@ -134,15 +145,15 @@ def make_attribute(i, elements, mesh):
     return h
 
 
-def make_coding(h, elements):
+def make_coding(h, elements, floods):
     """By chance until it is valid."""
     count = elements.by_place[h.place].count
-    while True:
-        how = random.randrange(3)
+    for _ in range(200):
+        how = attributes.FLOODED if floods else random.randrange(3)
         planes = coin(0.1)
         out = bytes([how | planes << 2 | (0 if planes else random.randrange(16) << 4)])
         if how and not (h.indexed and h.place != MESH):
-            out += varint(random.choice((0, 1, 1, 2, 3, 5)))
+            out += varint(random.choice((2, 3) if floods else (0, 1, 1, 2, 3, 5)))
         numbers = out[0] >> 6
         if numbers and not planes:
             flags = random.getrandbits(6) & random.getrandbits(6)
@@ -160,6 +171,7 @@ def make_coding(h, elements):
             return out
         except attributes.Invalid:
             continue
+    raise attributes.Invalid("corrupt", "no coding by chance")
 
 
 def make_planes(codings, heads, elements):

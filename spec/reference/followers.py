@@ -11,7 +11,7 @@ class Followers:
     def __init__(self, block, positions):
         self.positions = positions
         self.H = slots(block)
-        self.course = 0
+        self.course = 1
         self.begin = 0
         self.course_of = []
         self.last_in = {}

@@ -163,7 +163,7 @@ class Order:
             guessed = math.floor(clamp(guess, 0.0, 2.0**32) + 0.5) if has_guess else last
 
             def there(x):
-                return x < N and is_left[x]
+                return 0 <= x < N and is_left[x]
 
             # 2
             way = 0
@@ -200,7 +200,7 @@ class Order:
         return number_of
 
     def read_near(self, guessed, sizes, left):
-        return (guessed + sizes.residual(0)) & MASK32
+        return guessed + sizes.residual(0)
 
     @staticmethod
     def guess(elements, e, found, number_of):
