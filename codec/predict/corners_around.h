@@ -34,8 +34,9 @@ class CornersAround final : public Around {
             });
         b.hint = agree + 3 * std::min(b.count, 1u);
         Id other = before_[corner];
+        // In a flipped cell that has a vertex twice the one before may come later in the mesh.
         for (int looks = 0; looks < 6 && other != kNone; ++looks, other = before_[other])
-            b.add(ground_.mesh_corner(other), 1);
+            if (ground_.mesh_corner(other) < element) b.add(ground_.mesh_corner(other), 1);
         if (element > walk_.begin(cell)) b.add(element - 1, 2);
         return b;
     }

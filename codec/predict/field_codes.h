@@ -100,8 +100,10 @@ class FieldCodes {
             double rest = 1;  // of the square of the length
             for (std::size_t slot = 0; slot < count && sane; ++slot) {
                 const std::size_t k = order[slot];
+                // The sign of a NaN is the machine's.
                 if (format_.unit_length && slot == 2)
-                    guess[k] = std::copysign(std::sqrt(std::max(rest, 0.0)) * units(), guess[k]);
+                    guess[k] = std::copysign(std::sqrt(std::max(rest, 0.0)) * units(),
+                                             std::isfinite(guess[k]) ? guess[k] : 1);
                 sane = code(sizes, slot, base + first + k, whole_of(guess[k], beside, first + k));
                 if (format_.unit_length) {
                     const double x = known(base + first + k) / units();

@@ -279,7 +279,7 @@ class Values:
         for slot, k in enumerate(order):
             g = guess[k]
             if slot == 2:
-                g = math.copysign(root(max(rest, 0.0)) * self.units, g)
+                g = math.copysign(root(max(rest, 0.0)) * self.units, g if math.isfinite(g) else 1.0)
             self.read_component(t, near, k, slot, g, sizes)
             x = self.known[t][k] / self.units
             rest = rest - x * x
