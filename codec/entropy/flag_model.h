@@ -34,6 +34,17 @@ inline constexpr std::array<std::uint8_t, 2049> kClassOf = [] {
             if (p <= kClassBound[i]) of[p] = static_cast<std::uint8_t>(kFlagClasses - 1 - i);
     return of;
 }();
+
+// The step of adaptation in 1/65536, by how many flags came. Filled when the program starts: no
+// packer makes much less of it, and a decoder for the web counts its bytes.
+struct Rates {
+    std::array<std::uint16_t, 511> of;
+    Rates() {
+        for (unsigned i = 0; i < of.size(); ++i)
+            of[i] = static_cast<std::uint16_t>(655360u / (10 * i + 13));
+    }
+};
+inline const Rates kRates;
 }  // namespace detail
 
 // Two estimates of the chance of "yes" learn at once: `fast` follows the last twenty flags, `slow`
@@ -51,30 +62,23 @@ class FlagModel {
         const unsigned c = chance();
         return detail::kClassOf[(c >= 32768 ? 65535u - c : c) >> 4];
     }
-    // Bits that an ideal coder would take for the flag. For reports, never for decisions: machines
-    // may differ in the last digits.
+    // Bits that an ideal coder would take for the flag. For reports, never for decisions.
     double cost(bool yes) const {
         const unsigned c = chance();
         return kBitsOf[(yes ? c : 65535u - c) >> 5];
     }
     void update(bool yes) {
         const std::uint32_t goal = yes ? kCertain : 0;
-        const std::uint32_t rate = kRate[seen_];
+        const std::uint32_t rate = detail::kRates.of[seen_];
         slow_ += step(goal, slow_, rate);
         fast_ += step(goal, fast_, std::max(rate, kFastRate));
-        seen_ += seen_ + 1u < kRate.size();
+        seen_ += seen_ + 1u < detail::kRates.of.size();
     }
 
   private:
     static const std::array<float, 2048> kBitsOf;  // by chance in 1/2048
     static constexpr std::uint32_t kCertain = (1u << 22) - 1;
     static constexpr std::uint32_t kFastRate = 65536 / 20;
-    static constexpr std::array<std::uint16_t, 511> kRate = [] {
-        std::array<std::uint16_t, 511> rate{};
-        for (unsigned i = 0; i < rate.size(); ++i)
-            rate[i] = static_cast<std::uint16_t>(655360u / (10 * i + 13));
-        return rate;
-    }();
 
     // (goal - now) * rate / 65536, rounded down; as a number to add modulo 2^32.
     static std::uint32_t step(std::uint32_t goal, std::uint32_t now, std::uint32_t rate) {

@@ -40,18 +40,16 @@ struct Number {
     bool operator==(const Number&) const = default;
 };
 
-inline constexpr std::array<std::uint64_t, 20> kTens = [] {
-    std::array<std::uint64_t, 20> tens{};
-    std::uint64_t t = 1;
-    for (std::uint64_t& x : tens) x = t, t *= 10;
-    return tens;
-}();
-inline constexpr std::array<double, kMostPlaces + 1> kTensAsDoubles = [] {
-    std::array<double, kMostPlaces + 1> tens{};  // each product is exact
-    double t = 1;
-    for (double& x : tens) x = t, t *= 10;
-    return tens;
-}();
+// Powers of ten. Filled when the program starts, as Rates are (entropy/flag_model.h).
+template <class T, std::size_t kCount>
+struct Tens : std::array<T, kCount> {
+    Tens() {
+        T t = 1;  // as a double too each product is exact
+        for (T& x : *this) x = t, t *= 10;
+    }
+};
+inline const Tens<std::uint64_t, 20> kTens;
+inline const Tens<double, kMostPlaces + 1> kTensAsDoubles;
 
 inline std::uint64_t magnitude(std::int64_t r) {
     return r < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(r) : static_cast<std::uint64_t>(r);
