@@ -22,8 +22,9 @@ Result<Section> read_section(ByteReader& in) {
     if (!in.ok())
         return Error{Code::truncated, start, "the file ends where a section should begin"};
     if (id > kLastSection)
-        return Error{Code::corrupt, start,
-                     "section " + std::to_string(id) + " is not known to this version"};
+        return Error{
+            Code::corrupt, start,
+            std::string("section ") + std::to_string(id) + " is not known to this version"};
     section.id = static_cast<SectionId>(id);
     if (section.id == SectionId::end) return section;
     const std::uint64_t size = in.varint();

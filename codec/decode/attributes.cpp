@@ -39,7 +39,7 @@ class Reader {
   private:
     using Tuples = AttributeCoding::Tuples;
 
-    Error corrupt(const char* why) const { return {Code::corrupt, in_.at(), why}; }
+    Status corrupt(const char* why) const { return Error{Code::corrupt, in_.at(), why}; }
 
     Status read_head_of(const AttributeHead& head, AttributeCoding& coding) {
         const bool indexed = head.indexed && head.place != Place::mesh;

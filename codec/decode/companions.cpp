@@ -44,7 +44,7 @@ class Reader {
     const std::vector<MarkBlock>& marks() const { return marks_; }
 
   private:
-    Error corrupt(const char* why) const { return {Code::corrupt, in_.at(), why}; }
+    Status corrupt(const char* why) const { return Error{Code::corrupt, in_.at(), why}; }
 
     Status read_head_of(std::size_t b) {
         CompanionBlock& block = mesh_.companions[b];

@@ -25,6 +25,10 @@ const Section& section_of(const FileSections& file, SectionId id) {
     return file.sections[static_cast<std::size_t>(id)];
 }
 
+Status corrupt(std::uint64_t at, const char* why) {
+    return Error{Code::corrupt, at, why};
+}
+
 // Do values of points, or their old numbers, follow from those of their stencils?
 bool needs_stencils(const Head& head) {
     return head.keeps_order ||
@@ -196,10 +200,10 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     const std::uint64_t at = section_of(file, SectionId::connectivity).at;
     if (block.cells > limits.plausible || block.vertices > limits.plausible ||
         block.corners / 3 > limits.plausible)
-        return Error{Code::corrupt, at, "the codes of the strip can't tell of so many cells"};
+        return corrupt(at, "the codes of the strip can't tell of so many cells");
     const Index points = block.vertices + block.unused_points;
     if (points > limits.plausible)
-        return Error{Code::corrupt, section.at, "the positions can't tell of so many points"};
+        return corrupt(section.at, "the positions can't tell of so many points");
     FlagDecoder position_bits(in.raw(in.left()));
     ReadingCoder coder{position_bits};
     PositionCodes<ReadingCoder> positions(coder, *format, points);
@@ -219,23 +223,22 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     const auto starts =
         static_cast<Index>(std::count(out.walked.gate.begin(), out.walked.gate.end(), kNone));
     if (starts != block.components)
-        return Error{Code::corrupt, at, "the walk has not as many parts as announced"};
+        return corrupt(at, "the walk has not as many parts as announced");
     std::size_t own = 0;
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
     for (std::size_t v = 0; v < block.vertices; ++v)
         out.point[v] =
             copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(own++) : out.point[copy_of[v]];
-    if (own != block.points)
-        return Error{Code::corrupt, at, "the points are not as many as announced"};
+    if (own != block.points) return corrupt(at, "the points are not as many as announced");
     for (Index i = 0; i < block.unused_points; ++i) {
         Stencil stencil;
         if (block.vertices + i > 0) stencil.at[0] = static_cast<Id>(block.vertices + i - 1);
         if (!positions.next(stencil, {}, false) || position_bits.exhausted())
-            return Error{Code::corrupt, section.at, "the positions of unused points make no sense"};
+            return corrupt(section.at, "the positions of unused points make no sense");
     }
     if (!driver.finished())
-        return Error{Code::corrupt, at, "connectivity or positions are longer than the walk"};
+        return corrupt(at, "connectivity or positions are longer than the walk");
     out.flipped = driver.flipped();
     stencils = driver.take_stencils();
     out.mesh.kind = file.head.kind;
@@ -268,9 +271,7 @@ Status charge_indices(const FileSections& file, const Mesh& mesh, std::uint64_t&
     return Done{};
 }
 
-}  // namespace
-
-Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options) {
+Status read_walk(std::span<const std::byte> bytes, const DecodeOptions& options, DecodedWalk& out) {
     // Where sizes have 32 bits, no array holds more than half of what they count.
     std::uint64_t budget = std::min<std::uint64_t>(options.memory_limit, PTRDIFF_MAX);
     Result<FileSections> opened = open_file(bytes, budget);
@@ -279,58 +280,65 @@ Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOp
     const std::uint64_t need = memory_of(file, options.steps);
     if (need > budget)
         return Error{Code::limit_exceeded, section_of(file, SectionId::block).at,
-                     "the mesh needs up to " + std::to_string(need) + " bytes; the limit is " +
-                         std::to_string(budget)};
+                     std::string("the mesh needs up to ") + std::to_string(need) +
+                         " bytes; the limit is " + std::to_string(budget)};
     budget -= need;
     Result<Bytes> codes = unpack_section(section_of(file, SectionId::connectivity), budget);
     if (!codes) return codes.error();
     Result<Bytes> positions = unpack_section(section_of(file, SectionId::positions), budget);
     if (!positions) return positions.error();
 
-    DecodedWalk out;
     std::vector<Stencil> stencils;
     out.wants_mending = file.block.wants_mending;
     out.links = file.block.links;
-    if (Status status = decode_geometry(file, *codes, *positions, out, stencils); !status)
-        return status.error();
+    Status status = decode_geometry(file, *codes, *positions, out, stencils);
+    if (!status) return status;
     Mesh& mesh = out.mesh;
     if ((file.block.companions > 0) !=
             (section_of(file, SectionId::companions).id != SectionId::end) ||
         file.head.attributes.empty() !=
             (section_of(file, SectionId::attributes).id == SectionId::end))
-        return Error{Code::corrupt, 0, "the heads and the sections contradict each other"};
+        return corrupt(0, "the heads and the sections contradict each other");
     // Growth: nodes are a byte in the file and twice eight in memory, while the order is restored;
     // a block, a name or a note is a few dozen times its shortest form.
     const Ground<Walked> ground{out.walked, mesh, out.point, out.flipped, stencils};
     std::vector<Id> marked;
     std::vector<Index> turned;
-    Status status = decode_section(file, SectionId::companions, budget, 40, [&](ByteReader& in) {
+    status = decode_section(file, SectionId::companions, budget, 40, [&](ByteReader& in) {
         return read_companions(in, file.head, file.block, ground, budget, mesh, marked, turned);
     });
-    if (!status) return status.error();
-    if (status = charge_indices(file, mesh, budget); !status) return status.error();
+    if (!status) return status;
+    if (status = charge_indices(file, mesh, budget); !status) return status;
     status = decode_section(file, SectionId::attributes, budget, file.head.keeps_order ? 4 : 2,
                             [&](ByteReader& in) {
                                 return read_attributes(in, file.head, ground, marked, budget, mesh);
                             });
-    if (!status) return status.error();
+    if (!status) return status;
     status = decode_section(file, SectionId::names, budget, 72,
                             [&](ByteReader& in) { return read_names(in, mesh); });
-    if (!status) return status.error();
+    if (!status) return status;
     out.cell.resize(mesh.cell_count());
     for (Index c = 0; c < out.cell.size(); ++c) out.cell[c] = c;
     status = decode_section(file, SectionId::order, budget, 1, [&](ByteReader& in) -> Status {
         Result<Reorder> order = read_order(in, ground, turned, budget);
         if (!order) return order.error();
-        mesh = restore_order(mesh, *order);
+        restore_order(mesh, *order);
         out.cell = std::move(order->old_cell);
         out.turn = std::move(order->turn);
         return Done{};
     });
-    if (!status) return status.error();
+    if (!status) return status;
     // Whatever the bytes were, what leaves is a mesh.
     if (status = check_mesh(mesh); !status) return Error{Code::corrupt, 0, status.error().detail};
-    return out;
+    return Done{};
+}
+
+}  // namespace
+
+Result<DecodedWalk> decode_walk(std::span<const std::byte> bytes, const DecodeOptions& options) {
+    DecodedWalk walk;
+    if (Status status = read_walk(bytes, options, walk); !status) return status.error();
+    return walk;
 }
 
 namespace {
@@ -367,13 +375,13 @@ Result<std::vector<StripStep>> steps_of(const DecodedWalk& walk) {
 }
 
 Result<Decoded> decode(std::span<const std::byte> bytes, const DecodeOptions& options) {
-    Result<DecodedWalk> walk = decode_walk(bytes, options);
-    if (!walk) return walk.error();
+    DecodedWalk walk;
+    if (Status status = read_walk(bytes, options, walk); !status) return status.error();
     Decoded decoded;
-    decoded.mesh = std::move(walk->mesh);
-    decoded.wants_mending = walk->wants_mending;
+    decoded.mesh = std::move(walk.mesh);
+    decoded.wants_mending = walk.wants_mending;
     if (!options.steps) return decoded;
-    auto steps = steps_of(*walk);
+    auto steps = steps_of(walk);
     if (!steps) return steps.error();
     decoded.steps = std::move(*steps);
     return decoded;

@@ -31,8 +31,8 @@ Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& 
     const std::uint8_t version = in.u8();
     if (version != kVersion)
         return Error{Code::unsupported_version, kMagic.size(),
-                     "format version " + std::to_string(version) + "; this program reads version " +
-                         std::to_string(kVersion)};
+                     std::string("format version ") + std::to_string(version) +
+                         "; this program reads version " + std::to_string(kVersion)};
     FileSections file;
     file.header_bytes = bytes.size();
     std::uint8_t last = 0;

@@ -81,16 +81,14 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
     return order;
 }
 
-Mesh restore_order(const Mesh& mesh, const Reorder& order) {
-    Mesh out;
-    out.kind = mesh.kind;
+void restore_order(Mesh& mesh, const Reorder& order) {
     const Index cells = mesh.cell_count();
     const std::vector<Index> new_point = inverse_of(order.old_point, mesh.point_count());
     const std::vector<Index> new_cell = inverse_of(order.old_cell, cells);
-    out.positions = gather(mesh.positions, new_point);
+    mesh.positions = gather(mesh.positions, new_point);
     std::vector<Index> new_corner(mesh.corners.size());  // old corner -> new corner
-    out.corners.resize(mesh.corners.size());
-    if (mesh.kind == CellKind::polygon) out.corner_begin.assign(1, 0);
+    std::vector<Index> corners(mesh.corners.size()), corner_begin;
+    if (mesh.kind == CellKind::polygon) corner_begin.assign(1, 0);
     Index begin = 0;
     for (Index c = 0; c < cells; ++c) {
         const auto cell = mesh.cell(new_cell[c]);
@@ -98,15 +96,16 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
         const auto degree = static_cast<std::uint32_t>(cell.size());
         for (std::uint32_t i = 0; i < degree; ++i) {
             const Index at = begin + old_corner(mesh.kind, order.turn[new_cell[c]], degree, i);
-            out.corners[at] = order.old_point[cell[i]];
+            corners[at] = order.old_point[cell[i]];
             new_corner[at] = from + i;
         }
         begin += degree;
-        if (mesh.kind == CellKind::polygon) out.corner_begin.push_back(begin);
+        if (mesh.kind == CellKind::polygon) corner_begin.push_back(begin);
     }
-    out.companions = mesh.companions;
+    mesh.corners = std::move(corners);
+    mesh.corner_begin = std::move(corner_begin);
     Index before = 0;
-    for (CompanionBlock& block : out.companions) {
+    for (CompanionBlock& block : mesh.companions) {
         if (mesh.kind == CellKind::tet)
             turn_edge_nodes(block, true, [&](Index host) { return order.turn[host]; });
         place_companions(order, before, block);
@@ -117,32 +116,30 @@ Mesh restore_order(const Mesh& mesh, const Reorder& order) {
     const std::vector<Index> new_companion =
         inverse_of(order.old_companion, order.old_companion.size());
     for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
-        const Attribute& attribute = mesh.attributes[a];
-        Attribute moved = attribute;
+        Attribute& attribute = mesh.attributes[a];
         const std::vector<Index>* from = attribute.place == Place::point       ? &new_point
                                          : attribute.place == Place::cell      ? &new_cell
                                          : attribute.place == Place::corner    ? &new_corner
                                          : attribute.place == Place::companion ? &new_companion
                                                                                : nullptr;
         if (from != nullptr && !from->empty()) {
-            if (attribute.index.empty())
-                moved.values = gather(attribute.values, *from);
-            else
-                for (std::size_t i = 0; i < moved.index.size(); ++i)
-                    moved.index[i] = attribute.index[(*from)[i]];
+            if (attribute.index.empty()) {
+                attribute.values = gather(attribute.values, *from);
+            } else {
+                const std::vector<Index> index = std::move(attribute.index);
+                attribute.index.resize(index.size());
+                for (std::size_t i = 0; i < index.size(); ++i)
+                    attribute.index[i] = index[(*from)[i]];
+            }
         }
-        if (!moved.index.empty()) {
+        if (!attribute.index.empty()) {
             const std::vector<Index>& old_tuple = order.old_tuple[a];
-            moved.values = gather(moved.values, inverse_of(old_tuple, old_tuple.size()));
-            for (Index& i : moved.index)
+            attribute.values = gather(attribute.values, inverse_of(old_tuple, old_tuple.size()));
+            for (Index& i : attribute.index)
                 if (i != kNoIndex) i = old_tuple[i];
         }
-        renumber(moved, order.old_point, order.old_cell);
-        out.attributes.push_back(std::move(moved));
+        renumber(attribute, order.old_point, order.old_cell);
     }
-    out.tag_names = mesh.tag_names;
-    out.notes = mesh.notes;
-    return out;
 }
 
 }  // namespace ravel

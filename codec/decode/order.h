@@ -13,7 +13,7 @@ namespace ravel {
 Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
                            const std::vector<Index>& turned, std::uint64_t& budget);
 
-// The mesh in the order it was encoded from.
-Mesh restore_order(const Mesh& mesh, const Reorder& order);
+// Puts a mesh into the order it was encoded from.
+void restore_order(Mesh& mesh, const Reorder& order);
 
 }  // namespace ravel

@@ -1,9 +1,10 @@
 #include "decode/payload.h"
+
 namespace ravel {
 namespace {
 
-Error corrupt(const ByteReader& in, const char* why) {
-    return {Code::corrupt, in.at(), why};
+Status corrupt(const ByteReader& in, const char* why) {
+    return Error{Code::corrupt, in.at(), why};
 }
 
 Status check_end(const ByteReader& in) {

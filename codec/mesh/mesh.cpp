@@ -78,8 +78,8 @@ Array make_array(Scalar scalar, std::uint32_t arity, std::size_t count) {
 
 namespace {
 
-Error bad(std::uint64_t at, std::string detail) {
-    return {Code::bad_mesh, at, std::move(detail)};
+Status bad(std::uint64_t at, std::string detail) {
+    return Error{Code::bad_mesh, at, std::move(detail)};
 }
 
 Status check_cells(const Mesh& mesh) {
@@ -95,86 +95,74 @@ Status check_cells(const Mesh& mesh) {
             return bad(0, "corner_begin runs from 0 to the number of corners");
         for (std::size_t c = 1; c < mesh.corner_begin.size(); ++c)
             if (mesh.corner_begin[c] < mesh.corner_begin[c - 1])
-                return bad(c - 1,
-                           "corner_begin must not descend (cell " + std::to_string(c - 1) + ")");
+                return bad(c - 1, std::string("corner_begin must not descend (cell ") +
+                                      std::to_string(c - 1) + ")");
     }
     const Index points = mesh.point_count();
     for (std::size_t i = 0; i < mesh.corners.size(); ++i)
         if (mesh.corners[i] >= points)
-            return bad(i, "corner " + std::to_string(i) + " names point " +
+            return bad(i, std::string("corner ") + std::to_string(i) + " names point " +
                               std::to_string(mesh.corners[i]) + " of " + std::to_string(points));
     return Done{};
 }
 
-Status check_companions(const Mesh& mesh) {
+// What is wrong with a part of a mesh, to be read after its name; null if nothing is.
+const char* fault_of(const Mesh& mesh, const CompanionBlock& block) {
+    if (block.nodes_per_cell == 0
+            ? !block.nodes.empty()
+            : block.nodes.size() % block.nodes_per_cell != 0 ||
+                  block.nodes.size() / block.nodes_per_cell != block.cell_count)
+        return "has not cell_count * nodes_per_cell nodes";
+    if (!block.hosts.empty() && block.hosts.size() != block.cell_count)
+        return "has not one host per cell";
     const Index points = mesh.point_count(), cells = mesh.cell_count();
-    for (std::size_t b = 0; b < mesh.companions.size(); ++b) {
-        const CompanionBlock& block = mesh.companions[b];
-        const std::string where = "companion block " + std::to_string(b);
-        if (block.nodes_per_cell == 0
-                ? !block.nodes.empty()
-                : block.nodes.size() % block.nodes_per_cell != 0 ||
-                      block.nodes.size() / block.nodes_per_cell != block.cell_count)
-            return bad(b, where + " has not cell_count * nodes_per_cell nodes");
-        if (!block.hosts.empty() && block.hosts.size() != block.cell_count)
-            return bad(b, where + " has not one host per cell");
-        for (Index node : block.nodes)
-            if (node >= points) return bad(b, where + " names a point that does not exist");
-        for (Index host : block.hosts)
-            if (host >= cells) return bad(b, where + " names a cell that does not exist");
-    }
-    return Done{};
+    for (Index node : block.nodes)
+        if (node >= points) return "names a point that does not exist";
+    for (Index host : block.hosts)
+        if (host >= cells) return "names a cell that does not exist";
+    return nullptr;
 }
 
-Status check_references(const Mesh& mesh, const Attribute& attribute, std::size_t a) {
-    const std::string where = "attribute \"" + attribute.name + "\"";
-    const Scalar scalar = attribute.values.scalar;
+const char* fault_of(const Mesh& mesh, const Reference& r, const Array& values) {
+    const Scalar scalar = values.scalar;
+    if (is_float(scalar) || size_of(scalar) < 4)
+        return "refers by something else than 32-bit integers";
+    if (r.component >= values.arity || (r.place != Place::point && r.place != Place::cell))
+        return "refers by a component it has not, or to what has no order";
+    const Index count = element_count(mesh, r.place);
+    const std::int64_t most = scalar == Scalar::i32   ? std::int64_t{0x7FFFFFFF}
+                              : scalar == Scalar::u32 ? std::int64_t{0xFFFFFFFF}
+                                                      : std::int64_t{1} << 62;
+    const bool has_sign = scalar == Scalar::i32 || scalar == Scalar::i64;
+    const std::int64_t least = !has_sign               ? 0
+                               : scalar == Scalar::i32 ? -(std::int64_t{1} << 31)
+                                                       : -(std::int64_t{1} << 40);
+    if (r.base < least || r.base > std::int64_t{1} << 40 ||
+        r.base + static_cast<std::int64_t>(count) > most)
+        return "is too narrow for the numbers it would need";
+    return nullptr;
+}
+
+const char* fault_of(const Mesh& mesh, const Attribute& attribute) {
+    const Array& values = attribute.values;
+    if (values.arity == 0 || values.arity > 65535 || values.bytes.size() % values.stride() != 0)
+        return "has no whole number of tuples";
     for (std::size_t i = 0; i < attribute.references.size(); ++i) {
         const Reference& r = attribute.references[i];
         if (i > 0 && r.component <= attribute.references[i - 1].component)
-            return bad(a, where + " lists its references in another order than by component");
-        if (is_float(scalar) || size_of(scalar) < 4)
-            return bad(a, where + " refers by something else than 32-bit integers");
-        if (r.component >= attribute.values.arity ||
-            (r.place != Place::point && r.place != Place::cell))
-            return bad(a, where + " refers by a component it has not, or to what has no order");
-        const Index count = element_count(mesh, r.place);
-        const std::int64_t most = scalar == Scalar::i32   ? std::int64_t{0x7FFFFFFF}
-                                  : scalar == Scalar::u32 ? std::int64_t{0xFFFFFFFF}
-                                                          : std::int64_t{1} << 62;
-        const bool has_sign = scalar == Scalar::i32 || scalar == Scalar::i64;
-        const std::int64_t least = !has_sign               ? 0
-                                   : scalar == Scalar::i32 ? -(std::int64_t{1} << 31)
-                                                           : -(std::int64_t{1} << 40);
-        if (r.base < least || r.base > std::int64_t{1} << 40 ||
-            r.base + static_cast<std::int64_t>(count) > most)
-            return bad(a, where + " is too narrow for the numbers it would need");
+            return "lists its references in another order than by component";
+        if (const char* fault = fault_of(mesh, r, values)) return fault;
     }
-    return Done{};
-}
-
-Status check_attributes(const Mesh& mesh) {
-    for (std::size_t a = 0; a < mesh.attributes.size(); ++a) {
-        const Attribute& attribute = mesh.attributes[a];
-        const std::string where = "attribute \"" + attribute.name + "\"";
-        const Array& values = attribute.values;
-        if (values.arity == 0 || values.arity > 65535 || values.bytes.size() % values.stride() != 0)
-            return bad(a, where + " has no whole number of tuples");
-        if (Status status = check_references(mesh, attribute, a); !status) return status;
-        if (attribute.place == Place::mesh) {
-            if (!attribute.index.empty()) return bad(a, where + " is of the mesh and has no index");
-            continue;
-        }
-        const Index elements = element_count(mesh, attribute.place);
-        if (elements == 0) continue;  // a pool that nothing refers to
-        const bool indexed = !attribute.index.empty();
-        if ((indexed ? attribute.index.size() : values.count()) != elements)
-            return bad(a, where + " has not one value per " + name_of(attribute.place));
-        for (Index i : attribute.index)
-            if (i != kNoIndex && i >= values.count())
-                return bad(a, where + " refers to a tuple that does not exist");
-    }
-    return Done{};
+    if (attribute.place == Place::mesh)
+        return attribute.index.empty() ? nullptr : "is of the mesh and has no index";
+    const Index elements = element_count(mesh, attribute.place);
+    if (elements == 0) return nullptr;  // a pool that nothing refers to
+    const Index count = values.count();
+    if ((attribute.index.empty() ? count : attribute.index.size()) != elements)
+        return "has not one value per element of its place";
+    for (Index i : attribute.index)
+        if (i != kNoIndex && i >= count) return "refers to a tuple that does not exist";
+    return nullptr;
 }
 
 }  // namespace
@@ -202,13 +190,18 @@ Status check_mesh(const Mesh& mesh) {
     if (positions.bytes.size() % positions.stride() != 0)
         return bad(0, "positions have no whole number of points");
     if (Status status = check_cells(mesh); !status) return status;
-    if (Status status = check_companions(mesh); !status) return status;
+    for (std::size_t b = 0; b < mesh.companions.size(); ++b)
+        if (const char* fault = fault_of(mesh, mesh.companions[b]))
+            return bad(b, std::string("companion block ") + std::to_string(b) + ' ' + fault);
     for (std::size_t n = 0; n < mesh.tag_names.size(); ++n)
         if (mesh.tag_names[n].dimension < -1 || mesh.tag_names[n].dimension > 3)
-            return bad(n, "the name \"" + mesh.tag_names[n].name + "\" has dimension " +
-                              std::to_string(mesh.tag_names[n].dimension) +
+            return bad(n, std::string("the name \"") + mesh.tag_names[n].name +
+                              "\" has dimension " + std::to_string(mesh.tag_names[n].dimension) +
                               "; there are 0 to 3, and -1 for none");
-    return check_attributes(mesh);
+    for (std::size_t a = 0; a < mesh.attributes.size(); ++a)
+        if (const char* fault = fault_of(mesh, mesh.attributes[a]))
+            return bad(a, std::string("attribute \"") + mesh.attributes[a].name + "\" " + fault);
+    return Done{};
 }
 
 }  // namespace ravel

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace ravel {
 
@@ -36,22 +36,23 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
   public:
-    Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
-    Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+    Result(T value) : value_(std::move(value)) {}
+    Result(Error error) : error_(std::move(error)) {}
 
-    explicit operator bool() const { return state_.index() == 0; }
-    bool ok() const { return state_.index() == 0; }
+    explicit operator bool() const { return ok(); }
+    bool ok() const { return value_.has_value(); }
 
-    T& operator*() { return std::get<0>(state_); }
-    const T& operator*() const { return std::get<0>(state_); }
-    T* operator->() { return &std::get<0>(state_); }
-    const T* operator->() const { return &std::get<0>(state_); }
+    T& operator*() { return *value_; }
+    const T& operator*() const { return *value_; }
+    T* operator->() { return &*value_; }
+    const T* operator->() const { return &*value_; }
 
-    Error& error() { return std::get<1>(state_); }
-    const Error& error() const { return std::get<1>(state_); }
+    Error& error() { return error_; }
+    const Error& error() const { return error_; }
 
   private:
-    std::variant<T, Error> state_;
+    std::optional<T> value_;
+    Error error_;  // of those without a value
 };
 
 // For functions that return nothing but may fail.
