@@ -2,6 +2,7 @@
 // the next call.
 #include <cstdlib>
 #include <new>
+#include <optional>
 
 #include "decoder/describe.h"
 
@@ -31,42 +32,44 @@ namespace {
 
 struct Answer {
     Bytes input;
-    Decoded decoded;
+    std::optional<Result<Decoded>> decoded;
     std::vector<Bytes> more;
     Reply reply;
 };
-// Never destroyed: the module ends when the page drops it.
-Answer& answer = *new Answer;
+// The last one is never destroyed: the module ends when the page drops it.
+Answer* answer = nullptr;
 
 }  // namespace
 
 extern "C" {
 
 __attribute__((export_name("input"))) std::byte* ravel_input(std::size_t size) {
-    answer = Answer();
-    answer.input.resize(size);
-    return answer.input.data();
+    delete answer;
+    answer = new Answer;
+    answer->input.resize(size);
+    return answer->input.data();
 }
 __attribute__((export_name("decode"))) void ravel_web_decode(double memory_limit, bool strip,
                                                              bool surface) {
     DecodeOptions options;
     options.memory_limit = static_cast<std::uint64_t>(memory_limit);
     options.steps = strip;
-    Result<Decoded> decoded = decode(answer.input, options);
-    answer.input = Bytes();
-    if (!decoded) return describe(decoded.error(), answer.reply);
-    answer.decoded = std::move(*decoded);
-    describe(answer.decoded, {strip, surface}, answer.more, answer.reply);
+    Result<Decoded>& decoded = answer->decoded.emplace(decode(answer->input, options));
+    answer->input = Bytes();
+    if (decoded)
+        describe(*decoded, {strip, surface}, answer->more, answer->reply);
+    else
+        describe(decoded.error(), answer->reply);
 }
 __attribute__((export_name("info"))) void ravel_web_info() {
-    const Result<FileInfo> info = inspect(answer.input);
+    const Result<FileInfo> info = inspect(answer->input);
     if (info)
-        describe(*info, answer.reply);
+        describe(*info, answer->reply);
     else
-        describe(info.error(), answer.reply);
+        describe(info.error(), answer->reply);
 }
 __attribute__((export_name("reply"))) const std::byte* ravel_web_reply() {
-    return answer.reply.bytes.data();
+    return answer->reply.bytes.data();
 }
 }
 
