@@ -50,8 +50,9 @@ struct BlockHead {
     bool has_border = true;
     bool has_flips = false;
     bool has_copies = false;
-    bool mirrored = false;  // tets: most have negative volume
-    Index grid_side = 1;    // tets: the walk's grid of vertices
+    bool mirrored = false;         // tets: most have negative volume
+    bool has_edge_points = false;  // tets: the first unused points are those of the edges
+    Index grid_side = 1;           // tets: the walk's grid of vertices
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
 };
 

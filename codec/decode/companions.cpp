@@ -19,18 +19,24 @@ class DeltaReader {
 
 class Reader {
   public:
-    Reader(ByteReader& in, const Head& head, const Ground<Walked>& ground, std::uint64_t& budget,
-           Mesh& mesh)
-        : in_(in), head_(head), ground_(ground), budget_(budget), mesh_(mesh) {}
+    Reader(ByteReader& in, const Head& head, const BlockHead& block, const EdgePoints& edges,
+           const Ground<Walked>& ground, std::uint64_t& budget, Mesh& mesh)
+        : in_(in),
+          head_(head),
+          block_(block),
+          edges_(edges),
+          ground_(ground),
+          budget_(budget),
+          mesh_(mesh) {}
 
-    Status run(Index announced, std::vector<Id>& marked) {
+    Status run(std::vector<Id>& marked) {
         const std::uint64_t count = in_.varint();
         // A block takes four bytes at least.
-        if (count != announced || count > in_.left() / 4)
+        if (count != block_.companions || count > in_.left() / 4)
             return corrupt("the companions are not as many as announced");
         mesh_.companions.resize(count);
         marks_.resize(count);
-        hosted_.resize(count);
+        kind_.resize(count);
         for (std::size_t b = 0; b < count; ++b)
             if (Status status = read_head_of(b); !status) return status;
         for (std::size_t b = 0; b < count; ++b)
@@ -50,17 +56,19 @@ class Reader {
         CompanionBlock& block = mesh_.companions[b];
         const std::uint64_t type = in_.varint(), nodes = in_.varint();
         block.cell_count = in_.varint();
-        const std::uint8_t kind = in_.u8();
-        if (!in_.ok() || type > 0xFFFF || nodes > 0xFFFFFFFFu || kind > 2)
+        const std::uint8_t kind = kind_[b] = in_.u8();
+        if (!in_.ok() || type > 0xFFFF || nodes > 0xFFFFFFFFu || kind > kOnEdges)
             return corrupt("a companion block of a kind this version does not know");
         block.vtk_type = static_cast<std::uint16_t>(type);
         block.nodes_per_cell = static_cast<std::uint32_t>(nodes);
-        hosted_[b] = kind == 1;
-        if (kind == 2) {
+        if (kind == kMarks) {
             marks_[b] = {block.nodes_per_cell, in_.varint()};
             if (!in_.ok() || nodes == 0 || nodes > 3 || marks_[b].marks > block.cell_count)
                 return corrupt("a companion block with marks it can't have");
         }
+        if (kind == kOnEdges && (!block_.has_edge_points || type != 24 || nodes != 6 ||
+                                 block.cell_count != block_.cells))
+            return corrupt("a companion block on the edges of tets that have no points for it");
         // The sum over all blocks: numbers of companions are then sums that don't wrap.
         if (block.cell_count > kNoIndex / 4 - companions_)
             return corrupt("more companions than can be counted");
@@ -71,11 +79,12 @@ class Reader {
     // The nodes and hosts of those that are no marks; places for the others are left in front.
     Status read_rest_of(std::size_t b) {
         CompanionBlock& block = mesh_.companions[b];
+        if (kind_[b] == kOnEdges) return fill_from_edges(block);
         const Index points = mesh_.point_count(), cells = mesh_.cell_count();
         const Index marks = marks_[b].marks, rest = block.cell_count - marks;
         const std::uint64_t nodes = block.nodes_per_cell;
         // Every node and host takes a byte at least.
-        if ((nodes > 0 && rest > in_.left() / nodes) || (hosted_[b] && rest > in_.left()))
+        if ((nodes > 0 && rest > in_.left() / nodes) || (kind_[b] == kHosted && rest > in_.left()))
             return corrupt("a companion block with more cells than there are bytes");
         // A mark is its nodes twice or thrice, and what tells of it.
         const std::uint64_t each = sizeof(Mark) * 2 + 8 * nodes * (head_.keeps_order ? 3 : 2);
@@ -95,12 +104,27 @@ class Reader {
                     return corrupt("a companion names a point that does not exist");
             }
         }
-        if (!hosted_[b]) return Done{};
+        if (kind_[b] != kHosted) return Done{};
         block.hosts.resize(block.cell_count);
         DeltaReader column(in_);
         for (Index& host : block.hosts)
             if ((host = column.next()) >= cells)
                 return corrupt("a companion names a cell that does not exist");
+        return Done{};
+    }
+
+    // The edges are numbered in the order of the mesh's corners, as the nodes are.
+    Status fill_from_edges(CompanionBlock& block) {
+        const std::uint64_t each = 8 * 7 * (head_.keeps_order ? 3 : 2);
+        if (block.cell_count > budget_ / each)
+            return Error{Code::limit_exceeded, in_.at(),
+                         "the companions need more memory than allowed"};
+        budget_ -= block.cell_count * each;
+        block.nodes.resize(edges_.of.size());
+        for (std::size_t i = 0; i < edges_.of.size(); ++i)
+            block.nodes[i] = edges_.first + edges_.of[i];
+        block.hosts.resize(block.cell_count);
+        for (Index i = 0; i < block.cell_count; ++i) block.hosts[i] = i;
         return Done{};
     }
 
@@ -127,13 +151,19 @@ class Reader {
         return Done{};
     }
 
+    // What a block is: its nodes; with hosts; first marks; nodes and hosts by the edges of the
+    // tets.
+    static constexpr std::uint8_t kHosted = 1, kMarks = 2, kOnEdges = 3;
+
     ByteReader& in_;
     const Head& head_;
+    const BlockHead& block_;
+    const EdgePoints& edges_;
     const Ground<Walked>& ground_;
     std::uint64_t& budget_;
     Mesh& mesh_;
     std::vector<MarkBlock> marks_;
-    std::vector<std::uint8_t> hosted_;
+    std::vector<std::uint8_t> kind_;
     Index companions_ = 0;
 };
 
@@ -141,9 +171,10 @@ class Reader {
 
 Status read_companions(ByteReader& in, const Head& head, const BlockHead& block,
                        const Ground<Walked>& ground, std::uint64_t& budget, Mesh& mesh,
-                       std::vector<Id>& marked, std::vector<Index>& turned) {
-    Reader reader(in, head, ground, budget, mesh);
-    Status status = reader.run(block.companions, marked);
+                       const EdgePoints& edges, std::vector<Id>& marked,
+                       std::vector<Index>& turned) {
+    Reader reader(in, head, block, edges, ground, budget, mesh);
+    Status status = reader.run(marked);
     for (const MarkBlock& b : reader.marks()) turned.push_back(b.marks);
     return status;
 }

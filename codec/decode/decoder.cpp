@@ -13,6 +13,7 @@
 #include "decode/order.h"
 #include "decode/payload.h"
 #include "decode/walk_driver.h"
+#include "predict/edge_points.h"
 #include "walk/priors.h"
 #include "walk/read_strip.h"
 #include "walk/surface_walk.h"
@@ -43,8 +44,8 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     // Of tets, 24 bytes are for a front that hostile vertices crowd (see TetFront).
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 88 : 52) + (order ? 24 : 0);
     const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 416 : 360;
-    return b.corners * per_corner + b.cells * per_cell +
+                        per_vertex = order ? 416 : 360, per_edges = b.has_edge_points ? 168 : 0;
+    return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
 }
 
@@ -175,9 +176,10 @@ Status run_walk(DecodeDriver& driver, const WalkLimits& limits, std::uint64_t at
     return Done{};
 }
 
-// `stencils`: of the points that cells have, if values at points are guessed from them.
+// `stencils`: of the points that cells have, then of those of edges, if values at points are
+// guessed from them.
 Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes& position_bytes,
-                       DecodedWalk& out, std::vector<Stencil>& stencils) {
+                       DecodedWalk& out, std::vector<Stencil>& stencils, EdgePoints& edges) {
     const BlockHead& block = file.block;
     const Section& section = section_of(file, SectionId::positions);
     ByteReader in(position_bytes, section.at);
@@ -224,26 +226,33 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
         static_cast<Index>(std::count(out.walked.gate.begin(), out.walked.gate.end(), kNone));
     if (starts != block.components)
         return corrupt(at, "the walk has not as many parts as announced");
-    std::size_t own = 0;
+    out.flipped = driver.flipped();
+    stencils = driver.take_stencils();
+    std::vector<Id> vertex;  // per point
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
-    for (std::size_t v = 0; v < block.vertices; ++v)
-        out.point[v] =
-            copy_of.empty() || copy_of[v] == kNone ? static_cast<Id>(own++) : out.point[copy_of[v]];
-    if (own != block.points) return corrupt(at, "the points are not as many as announced");
+    for (Id v = 0; v < block.vertices; ++v) {
+        const bool own = copy_of.empty() || copy_of[v] == kNone;
+        out.point[v] = own ? static_cast<Id>(vertex.size()) : out.point[copy_of[v]];
+        if (own) vertex.push_back(v);
+    }
+    if (vertex.size() != block.points)
+        return corrupt(at, "the points are not as many as announced");
+    out.mesh.kind = file.head.kind;
+    write_cells(out.walked, out.point, out.flipped, out.mesh);
+    if (block.has_edge_points) edges = edge_points_of(out.mesh.corners, vertex);
+    if (edges.end.size() > block.unused_points)
+        return corrupt(at, "more edges than points for them");
     for (Index i = 0; i < block.unused_points; ++i) {
-        Stencil stencil;
-        if (block.vertices + i > 0) stencil.at[0] = static_cast<Id>(block.vertices + i - 1);
+        const Stencil stencil = stencil_of_unused(edges, i, block.vertices);
+        if (i < edges.end.size() && needs_stencils(file.head)) stencils.push_back(stencil);
         if (!positions.next(stencil, {}, false) || position_bits.exhausted())
             return corrupt(section.at, "the positions of unused points make no sense");
     }
     if (!driver.finished())
         return corrupt(at, "connectivity or positions are longer than the walk");
-    out.flipped = driver.flipped();
-    stencils = driver.take_stencils();
-    out.mesh.kind = file.head.kind;
-    out.mesh.positions = positions_of(file.head, positions, copy_of, own + block.unused_points);
-    write_cells(out.walked, out.point, out.flipped, out.mesh);
+    out.mesh.positions =
+        positions_of(file.head, positions, copy_of, block.points + block.unused_points);
     return Done{};
 }
 
@@ -289,9 +298,10 @@ Status read_walk(std::span<const std::byte> bytes, const DecodeOptions& options,
     if (!positions) return positions.error();
 
     std::vector<Stencil> stencils;
+    EdgePoints edges;
     out.wants_mending = file.block.wants_mending;
     out.links = file.block.links;
-    Status status = decode_geometry(file, *codes, *positions, out, stencils);
+    Status status = decode_geometry(file, *codes, *positions, out, stencils, edges);
     if (!status) return status;
     Mesh& mesh = out.mesh;
     if ((file.block.companions > 0) !=
@@ -305,7 +315,8 @@ Status read_walk(std::span<const std::byte> bytes, const DecodeOptions& options,
     std::vector<Id> marked;
     std::vector<Index> turned;
     status = decode_section(file, SectionId::companions, budget, 40, [&](ByteReader& in) {
-        return read_companions(in, file.head, file.block, ground, budget, mesh, marked, turned);
+        return read_companions(in, file.head, file.block, ground, budget, mesh, edges, marked,
+                               turned);
     });
     if (!status) return status;
     if (status = charge_indices(file, mesh, budget); !status) return status;

@@ -41,12 +41,12 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
     std::uint64_t need = 0;
     for (const CompanionBlock& block : blocks) {
         const std::uint8_t told = in.u8();
-        if (told > static_cast<std::uint8_t>(ToldBy::first))
+        if (told > static_cast<std::uint8_t>(block.hosts.empty() ? ToldBy::first : ToldBy::hosts))
             return corrupt("an order that is told in a way this version does not know");
         by.push_back(static_cast<ToldBy>(told));
         if (block.cell_count >= kMostNumbers || block.nodes.size() >= kMostNumbers)
             return corrupt("an order of more companions than have one");
-        need += 88 * block.cell_count + 8 * block.nodes.size();
+        need += 88 * block.cell_count + 8 * block.nodes.size();  // or 4 per host
     }
     // A pool is told if elements have an index into it.
     for (const Attribute& a : ground.mesh.attributes)

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "encode/bits_writer.h"
+#include "encode/edge_points.h"
 #include "predict/marks.h"
 
 namespace ravel {
@@ -104,7 +105,8 @@ class Takers final : public MarkTruth {
 };
 
 // Brings the companions, and the values they have, into the order in which they come back.
-void reorder(Mesh& mesh, const std::vector<Takers::Found>& found, Reorder& order) {
+void reorder(Mesh& mesh, const std::vector<Takers::Found>& found, const std::vector<bool>& on_edges,
+             Reorder& order) {
     std::vector<std::vector<Index>> first(mesh.companions.size());
     std::vector<std::vector<std::uint32_t>> turns(mesh.companions.size());
     for (const Takers::Found& f : found) {
@@ -116,10 +118,11 @@ void reorder(Mesh& mesh, const std::vector<Takers::Found>& found, Reorder& order
     Index before = 0;
     for (std::size_t b = 0; b < mesh.companions.size(); ++b) {
         CompanionBlock& block = mesh.companions[b];
-        std::vector<bool> is_mark(block.cell_count, false);
-        for (const Index i : first[b]) is_mark[i] = true;
+        std::vector<bool> is_placed(block.cell_count, false);
+        if (on_edges[b]) first[b] = inverse_of(block.hosts, block.cell_count);
+        for (const Index i : first[b]) is_placed[i] = true;
         for (Index i = 0; i < block.cell_count; ++i)
-            if (!is_mark[i]) first[b].push_back(i);
+            if (!is_placed[i]) first[b].push_back(i);
         turns[b].resize(block.cell_count, 0);
         CompanionBlock given = block;
         for (Index i = 0; i < block.cell_count; ++i) {
@@ -145,7 +148,8 @@ void reorder(Mesh& mesh, const std::vector<Takers::Found>& found, Reorder& order
 
 }  // namespace
 
-CompanionCodes write_companions(StripMesh& strip, const Walked& walked, Reorder& order) {
+CompanionCodes write_companions(StripMesh& strip, const Walked& walked, const EdgePoints& edges,
+                                Reorder& order) {
     Mesh& mesh = strip.mesh;
     CompanionCodes out;
     Takers takers(mesh);
@@ -173,7 +177,10 @@ CompanionCodes write_companions(StripMesh& strip, const Walked& walked, Reorder&
     }
     FlagEncoder bits;
     code(bits, takers);
-    reorder(mesh, takers.found(), order);
+    std::vector<bool> on_edges;
+    for (const CompanionBlock& block : mesh.companions)
+        on_edges.push_back(follows_from(edges, block));
+    reorder(mesh, takers.found(), on_edges, order);
     for (const MarkBlock& block : marks) out.turned.push_back(block.marks);
 
     ByteWriter section;
@@ -183,11 +190,12 @@ CompanionCodes write_companions(StripMesh& strip, const Walked& walked, Reorder&
         section.varint(block.vtk_type);
         section.varint(block.nodes_per_cell);
         section.varint(block.cell_count);
-        section.u8(!block.hosts.empty() ? 1 : marks[b].marks > 0 ? 2 : 0);
+        section.u8(on_edges[b] ? 3 : !block.hosts.empty() ? 1 : marks[b].marks > 0 ? 2 : 0);
         if (marks[b].marks > 0) section.varint(marks[b].marks);
     }
     for (std::size_t b = 0; b < marks.size(); ++b) {
         const CompanionBlock& block = mesh.companions[b];
+        if (on_edges[b]) continue;
         // Nodes column by column: the columns of one cell type resemble themselves most.
         for (std::size_t k = 0; k < block.nodes_per_cell; ++k) {
             DeltaWriter column(section);

@@ -13,8 +13,10 @@ struct CompanionCodes {
 };
 
 // Companions that are parts of the mesh come first in their block, in the order of the walk, and
-// start where it has them; `order` tells. Values at companions follow.
-CompanionCodes write_companions(StripMesh& strip, const Walked& walked, Reorder& order);
+// start where it has them; those that follow from `edges` are in the order of their hosts; `order`
+// tells. Values at companions follow.
+CompanionCodes write_companions(StripMesh& strip, const Walked& walked, const EdgePoints& edges,
+                                Reorder& order);
 
 // Where the companions of the mesh are once it has been decoded.
 void map_companions(const Reorder& order, bool order_is_kept, OrderMaps& maps);

@@ -8,6 +8,7 @@
 #include "encode/attributes.h"
 #include "encode/companions.h"
 #include "encode/course.h"
+#include "encode/edge_points.h"
 #include "encode/order.h"
 #include "encode/order_section.h"
 #include "encode/payload.h"
@@ -117,9 +118,11 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
                           budget_of(complex, options) * static_cast<double>(block.cells);
 
     Reorder order = reorder_of(mesh, complex, record);
-    StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, *plan);
+    const EdgePoints edges = order_edge_points(mesh, record, order);
+    block.has_edge_points = !edges.of.empty();
+    StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, edges, *plan);
     const std::vector<AttributeGrid> grids = round_attributes(on_strip.mesh, options);
-    const CompanionCodes companions = write_companions(on_strip, course.walked, order);
+    const CompanionCodes companions = write_companions(on_strip, course.walked, edges, order);
     Encoded encoded;
     encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
     encoded.connectivity_ideal_bytes = codes.out.ideal_bits() / 8;
@@ -140,7 +143,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     section(SectionId::connectivity, codes.out.finish());
     const std::vector<Index> unused(
         order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
-    section(SectionId::positions, write_positions(*plan, complex, record, unused));
+    section(SectionId::positions, write_positions(*plan, complex, record, unused, edges));
     if (!mesh.companions.empty()) section(SectionId::companions, companions.section);
     if (!mesh.attributes.empty())
         section(SectionId::attributes, write_attributes(on_strip.ground(course.walked),

@@ -39,8 +39,8 @@ class Writer {
 
   private:
     using Codes = OrderCodes<BitsWriter, Walked>;
-    static constexpr std::array<ToldBy, 4> kAll{ToldBy::walk, ToldBy::lowest, ToldBy::highest,
-                                                ToldBy::first};
+    static constexpr std::array<ToldBy, 5> kAll{ToldBy::walk, ToldBy::lowest, ToldBy::highest,
+                                                ToldBy::first, ToldBy::hosts};
 
     const std::vector<CompanionBlock>& blocks() const { return ground_.mesh.companions; }
 
@@ -75,7 +75,7 @@ class Writer {
         best.guesses_points = points_guessed < points_plain;
         best.turns_by_points = turns_by_points < turns_by_gate;
         for (const ToldBy by : kAll) {
-            if (by == ToldBy::walk) continue;
+            if (by == ToldBy::walk || by == ToldBy::hosts) continue;
             OrderCoding sorted;
             sorted.cells = by;
             const std::size_t bytes = cost(sorted, cells);
@@ -99,6 +99,7 @@ class Writer {
         ToldBy best = ToldBy::walk;
         std::size_t least = 0;
         for (const ToldBy by : kAll) {
+            if (by == ToldBy::hosts && blocks()[b].hosts.empty()) continue;
             const std::size_t bytes = cost(
                 {}, [&](Codes& codes) { codes.companions(blocks()[b], turned_[b], before, by); });
             if (by == ToldBy::walk || bytes < least) least = bytes, best = by;

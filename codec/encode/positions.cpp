@@ -390,7 +390,8 @@ bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places
 }
 
 Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
-                          const WalkRecord& record, const std::vector<Index>& unused) {
+                          const WalkRecord& record, const std::vector<Index>& unused,
+                          const EdgePoints& edges) {
     const PositionFormat& format = plan.format;
     ByteWriter out;
     unsigned fitted = 0;
@@ -437,11 +438,8 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
         else
             code(complex.point[record.vertex_of[v]], record.stencils[v]);
     }
-    for (std::size_t i = 0; i < unused.size(); ++i) {
-        Stencil stencil;
-        if (vertices + i > 0) stencil.at[0] = static_cast<Id>(vertices + i - 1);
-        code(unused[i], stencil);
-    }
+    for (std::size_t i = 0; i < unused.size(); ++i)
+        code(unused[i], stencil_of_unused(edges, i, vertices));
     out.raw(bits.finish());
     return out.take();
 }
@@ -449,7 +447,7 @@ Bytes write_head_and_bits(const PositionPlan& plan, const Complex& complex,
 }  // namespace
 
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
-                      const std::vector<Index>& unused) {
+                      const std::vector<Index>& unused, const EdgePoints& edges) {
     const std::size_t vertices = record.vertex_of.size();
     std::vector<Point3> places(vertices), firm;  // firm: no copies, no outliers
     std::vector<bool> skip(vertices, false);
@@ -466,10 +464,10 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes
     // the bytes fewer, of large meshes by a hundredth at least.
     constexpr std::size_t kSmall = 6000;
-    Bytes best = write_head_and_bits(plan, complex, record, unused);
+    Bytes best = write_head_and_bits(plan, complex, record, unused, edges);
     PositionFormat kept = plan.format;
     const auto offer = [&] {
-        Bytes bytes = write_head_and_bits(plan, complex, record, unused);
+        Bytes bytes = write_head_and_bits(plan, complex, record, unused, edges);
         const std::size_t worth = vertices < kSmall ? 0 : best.size() / 100;
         if (bytes.size() + worth < best.size())
             best = std::move(bytes), kept = plan.format;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "encode/walk_driver.h"
+#include "predict/edge_points.h"
 #include "predict/position_codes.h"
 #include "ravel/ravel.h"
 
@@ -25,8 +26,8 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
 // stand for the floats.
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);
 
-// `unused`: unused points, in the order they are appended.
+// `unused`: unused points, in the order they are appended, those of edges first.
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
-                      const std::vector<Index>& unused);
+                      const std::vector<Index>& unused, const EdgePoints& edges);
 
 }  // namespace ravel

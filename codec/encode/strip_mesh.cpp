@@ -72,7 +72,7 @@ Mesh reordered(const Mesh& mesh, const Reorder& order, const PositionPlan& plan)
 }  // namespace
 
 StripMesh strip_mesh_of(const Mesh& mesh, const Complex& complex, const WalkRecord& record,
-                        const Reorder& order, const PositionPlan& plan) {
+                        const Reorder& order, const EdgePoints& edges, const PositionPlan& plan) {
     StripMesh strip;
     strip.mesh = reordered(mesh, order, plan);
     Id own = 0;
@@ -81,6 +81,8 @@ StripMesh strip_mesh_of(const Mesh& mesh, const Complex& complex, const WalkReco
         strip.point.push_back(of == kNone ? own++ : strip.point[of]);
         if (of == kNone) strip.stencils.push_back(record.stencils[v]);
     }
+    for (Index i = 0; i < edges.end.size(); ++i)
+        strip.stencils.push_back(stencil_of_unused(edges, i, record.copy_of.size()));
     for (const Id cell : record.cell_of) strip.flipped.push_back(complex.flipped[cell]);
     return strip;
 }

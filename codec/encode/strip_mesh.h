@@ -22,6 +22,6 @@ struct StripMesh {
     }
 };
 StripMesh strip_mesh_of(const Mesh& mesh, const Complex& complex, const WalkRecord& record,
-                        const Reorder& order, const PositionPlan& plan);
+                        const Reorder& order, const EdgePoints& edges, const PositionPlan& plan);
 
 }  // namespace ravel

@@ -43,13 +43,15 @@ std::vector<Index> inverse_of(const std::vector<Index>& from, Index count);
 void renumber(Attribute& attribute, const std::vector<Index>& point,
               const std::vector<Index>& cell);
 
+// The corners at the ends of a tet's edges, in VTK's order.
+inline constexpr std::uint8_t kTetEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+
 // Puts the nodes of a block of quadratic tets' edge nodes (VTK order) where a turn of their tet has
 // them: `turn_of(host)` is the number of the permutation. Back again with `back`. Other blocks
 // stay.
 template <class TurnOf>
 void turn_edge_nodes(CompanionBlock& block, bool back, TurnOf turn_of) {
     constexpr std::uint8_t kEdge[4][4] = {{0, 0, 2, 3}, {0, 0, 1, 4}, {2, 1, 0, 5}, {3, 4, 5, 0}};
-    constexpr std::uint8_t kEnds[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
     if (block.vtk_type != 24 || block.nodes_per_cell != 6) return;
     for (std::size_t i = 0; i < block.hosts.size(); ++i) {
         const std::array<std::uint8_t, 4> t = tet_turn(turn_of(block.hosts[i]));
@@ -57,7 +59,7 @@ void turn_edge_nodes(CompanionBlock& block, bool back, TurnOf turn_of) {
         Index given[6];
         for (std::size_t k = 0; k < 6; ++k) given[k] = six[k];
         for (std::size_t k = 0; k < 6; ++k) {
-            const std::size_t old = kEdge[t[kEnds[k][0]]][t[kEnds[k][1]]];
+            const std::size_t old = kEdge[t[kTetEdges[k][0]]][t[kTetEdges[k][1]]];
             six[back ? old : k] = given[back ? k : old];
         }
     }

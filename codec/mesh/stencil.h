@@ -22,6 +22,7 @@ enum class Configuration : std::uint8_t {
     triangle,     // [a b u_a v_b]
     polygon,  // other degrees: [previous corner, the one before, the one before that, next known]
     tet,      // [x0 x1 x2 o y0 y1 y2]: gate, the apex behind it, the apexes across its edges
+    edge,     // [a b, then the points of edges before, latest first]: own point of edge a b
     count,
 };
 inline constexpr std::size_t kStencilSize = 11;

@@ -38,7 +38,8 @@ struct Ground {
     const Mesh& mesh;                          // points and cells in the same order
     const std::vector<Id>& point;              // vertex of the walk -> point
     const std::vector<std::uint8_t>& flipped;  // per cell; empty where none is
-    const std::vector<Stencil>& stencils;      // per point that a cell has; empty if not needed
+    const std::vector<Stencil>& stencils;      // per point of a vertex, then of edges; empty if
+                                               // not needed
 
     Point3 place_of_point(Index p) const {
         Point3 place;

@@ -19,8 +19,9 @@ namespace ravel {
 inline constexpr Index kMostNumbers = Index{1} << 30;
 
 // In which order numbers are told: as the elements come, or by the old points they have, compared
-// from the lowest on, from the highest on, or from the first on.
-enum class ToldBy : std::uint8_t { walk, lowest, highest, first };
+// from the lowest on, from the highest on, or from the first on; or by the old numbers of their
+// hosts.
+enum class ToldBy : std::uint8_t { walk, lowest, highest, first, hosts };
 
 struct OrderCoding {
     bool cells_first = false;      // then points are told as old cells use them
@@ -146,6 +147,16 @@ class OrderCodes {
             const auto lowest = static_cast<Id>(std::min_element(nodes, nodes + n) - nodes);
             if (!code_start(n, lowest, turn)) return false;
             std::rotate(nodes, nodes + (n - turn) % n, nodes + n);
+        }
+        if (by == ToldBy::hosts) {
+            // As if the host were the only node.
+            std::iota(begin.begin(), begin.end(), Id{0});
+            old_node.clear();
+            for (const Index host : block.hosts)
+                old_node.push_back(static_cast<Id>(order_.old_cell[host]));
+            return numbers(
+                told_order(begin, old_node, ToldBy::first, static_cast<Id>(mesh_.cell_count())),
+                nullptr, order_.old_companion, before, count);
         }
         return numbers(told_order(begin, old_node, by, static_cast<Id>(mesh_.point_count())),
                        nullptr, order_.old_companion, before, count);

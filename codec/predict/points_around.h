@@ -1,4 +1,5 @@
-// Points as elements with values: those of the stencil are beside a point.
+// Points as elements with values: those of the stencil are beside a point, the ends beside that of
+// an edge.
 #pragma once
 
 #include "predict/around.h"
@@ -20,6 +21,10 @@ class PointsAround final : public Around {
             return b;
         }
         const Stencil& stencil = ground_.stencils[p];
+        if (stencil.configuration == Configuration::edge) {
+            for (std::uint8_t i = 0; i < 2; ++i) b.add(ground_.point[stencil.at[i]], i);
+            return b;
+        }
         // The parallelogram, where there is one; features come after the base.
         const bool tet = stencil.configuration == Configuration::tet;
         const Sum* const base =

@@ -90,12 +90,14 @@ class PositionCodes {
             }
         }
         const Point3 g = guess_at(stencil);
+        // The middle of an edge tells more than an echo.
+        const bool edge = stencil.configuration == Configuration::edge;
         std::array<std::int64_t, 3> whole;  // of the guess
         for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] = whole_of(g[axis]);
         Found found;
         bool echoed = false;
         std::uint32_t family = 0;  // of contexts
-        if (courses_) {
+        if (courses_ && !edge) {
             const Id leader = courses_->next(stencil, static_cast<Id>(values_.size()), prior_);
             if (leader != kNone) {
                 found = find_follow(stencil, leader, g);
@@ -103,7 +105,7 @@ class PositionCodes {
                 family = 3;
             }
         }
-        if (index_ && !echoed) {
+        if (index_ && !echoed && !edge) {
             found = find_echo(g);
             family = 0;
             if (found.vertex != ~Id{0}) echoed = code_echoed(found, truth, whole);
@@ -112,7 +114,8 @@ class PositionCodes {
         prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
                                                                                     : kNone;
         sizes_.begin(stencil);
-        if (format_.has_levels) gather_level(stencil);
+        const bool levels = format_.has_levels && !edge;
+        if (levels) gather_level(stencil);
         Point3 value{}, exact{};
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
@@ -138,7 +141,7 @@ class PositionCodes {
                         code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
                 }
             } else {
-                if (format_.has_levels) same = code_level(stencil, axis, whole[axis], number);
+                if (levels) same = code_level(stencil, axis, whole[axis], number);
                 if (same) {
                     value[axis] = values_[level_vertex_][axis];
                     if (keeps_exact_) exact[axis] = exact_[level_vertex_][axis];
@@ -147,8 +150,9 @@ class PositionCodes {
                 }
             }
             if (!same) {
+                const bool tells = edge && size == 0;  // the guess, of what is behind the point
                 sane = number.whole < most_ && number.whole > -most_ &&
-                       code_rest(static_cast<std::uint32_t>(axis), number);
+                       code_rest(a, tells ? &g[axis] : nullptr, number);
                 const Scaled s = sane ? scaled_of(format_.numbers, number) : Scaled{};
                 value[axis] = s.units;
                 exact[axis] = s.exact;
@@ -391,8 +395,8 @@ class PositionCodes {
         return magnitude(r);
     }
 
-    // What lies behind the point, and the sign of zero.
-    bool code_rest(std::uint32_t axis, Number& n) {
+    // What lies behind the point, and the sign of zero. `guess`: of the value, if it may tell.
+    bool code_rest(std::uint32_t axis, const double* guess, Number& n) {
         using C = ResidualContexts;
         const NumberFormat& f = format_.numbers;
         if (f.digits == 0) {
@@ -436,9 +440,27 @@ class PositionCodes {
             f.base == NumberBase::binary
                 ? digits
                 : static_cast<int>(std::bit_width(kTens[static_cast<std::size_t>(digits)] - 1));
-        n.rest = coder_.plain(n.rest, width);
+        if (guess != nullptr && n.whole != 0)
+            code_rest_by(*guess, axis, digits, n);
+        else
+            n.rest = coder_.plain(n.rest, width);
         return n.rest != 0 &&
                (f.base == NumberBase::binary || n.rest < kTens[static_cast<std::size_t>(digits)]);
+    }
+
+    // The rest as a residual of what lies behind the point of the guess.
+    void code_rest_by(double guess, std::uint32_t axis, int digits, Number& n) {
+        const double one = format_.numbers.base == NumberBase::binary
+                               ? std::ldexp(1.0, digits)
+                               : kTensAsDoubles[static_cast<std::size_t>(digits)];
+        const double part = std::abs(guess) - static_cast<double>(magnitude(n.whole));
+        // To the nearest, ties to even, as floats are rounded.
+        const auto near = static_cast<std::uint64_t>((part * one + 0x1p52) - 0x1p52);
+        std::uint64_t& expected = rest_expected_[axis];
+        const std::int64_t r =
+            code_residual(coder_, scale_of(expected), static_cast<std::int64_t>(n.rest - near));
+        expect(expected, std::min(magnitude(r), static_cast<std::uint64_t>(kMostWhole)));
+        n.rest = near + static_cast<std::uint64_t>(r);
     }
 
     Coder& coder_;
@@ -461,6 +483,7 @@ class PositionCodes {
     std::size_t level_count_ = 0;
     Id level_vertex_ = 0, prior_ = kNone;
     std::array<bool, 3> minus_zero_{}, was_zero_{};
+    std::array<std::uint64_t, 3> rest_expected_{};
 };
 
 }  // namespace ravel

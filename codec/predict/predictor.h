@@ -22,7 +22,8 @@ struct Features {
     std::array<Point3, kFeatures> feature{};
 };
 
-inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::count);
+// Those with weights.
+inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::edge);
 inline constexpr std::array<std::size_t, kConfigurations> kFeatureCount{2, 5, 6, 10, 3, 3, 7};
 
 using Weights = std::array<std::array<std::int16_t, kFeatures>, kConfigurations>;
@@ -162,6 +163,8 @@ class Predictor {
 
     Point3 guess(const Stencil& stencil, const std::vector<Point3>& values) {
         if (stencil.configuration == Configuration::tet) return guess_tet(stencil, values);
+        if (stencil.configuration == Configuration::edge)
+            return detail::times(detail::plus(values[stencil.at[0]], values[stencil.at[1]]), 0.5);
         Factors& factors =
             known_[static_cast<std::size_t>(stencil.configuration)][variant_of(stencil)];
         if (!factors.known) find(stencil, factors);

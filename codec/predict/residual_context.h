@@ -44,6 +44,18 @@ struct Scale {
     std::uint32_t bits = 2;     // |r| is about as likely to have so many bits as fewer
 };
 
+// Where a magnitude of expected / 16 is expected, below 2^59.
+inline Scale scale_of(std::uint64_t expected) {
+    const std::uint64_t x = expected + 1;
+    const auto b = static_cast<std::uint32_t>(std::bit_width(x)) - 1;
+    const bool half = (b > 15 ? x >> (b - 15) : x << (15 - b)) >= 46341;  // the square root of 2
+    return {std::min(2 * b + (half ? 1u : 0u), kScales - 1), b < 5 ? 2 : b - 3};
+}
+// The expectation after a magnitude.
+inline void expect(std::uint64_t& expected, std::uint64_t magnitude) {
+    expected += ((16 * magnitude + 31) >> 5) - ((expected + 31) >> 5);
+}
+
 // The magnitudes of all residuals so far, and from them the scale of the next.
 class ResidualSizes {
   public:
@@ -52,11 +64,13 @@ class ResidualSizes {
     ResidualSizes() { usual_.fill(kStart); }
     void reserve(std::size_t vertices) { magnitudes_.reserve(vertices); }
 
-    // Before the residuals of a vertex are coded.
+    // Before the residuals of a vertex are coded. The point of an edge is as far off as those
+    // before; its ends do not tell.
     void begin(const Stencil& stencil) {
         std::array<std::uint64_t, 3> sum{};
         std::uint64_t n = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t first = stencil.configuration == Configuration::edge ? 2 : 0;
+        for (std::size_t i = first; i < first + 3; ++i) {
             if (stencil.at[i] == kNone) continue;
             ++n;
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -77,10 +91,7 @@ class ResidualSizes {
         std::uint64_t e = expected_[axis];
         if (axis == 1) e = (13 * e + 3 * 16 * done_) >> 4;
         if (axis == 2) e = (23 * e + 9 * 8 * done_) >> 5;
-        const std::uint64_t x = e + 1;
-        const auto b = static_cast<std::uint32_t>(std::bit_width(x)) - 1;
-        const bool half = (x << 15 >> b) >= 46341;  // the square root of 2
-        return {std::min(2 * b + (half ? 1u : 0u), kScales - 1), b < 5 ? 2 : b - 3};
+        return scale_of(e);
     }
     void coded(std::size_t axis, std::uint64_t magnitude) {
         now_[axis] = static_cast<std::uint32_t>(std::min(magnitude, kMost));
