@@ -34,7 +34,11 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
     coding.guesses_points = (kind & 4) != 0;
     coding.guesses_cells = (kind & 8) != 0;
     coding.cells = static_cast<ToldBy>(kind >> 4 & 3);
-    if (kind >= 64 || (coding.cells_first && (coding.turns_by_points || coding.guesses_points)) ||
+    coding.edges = static_cast<EdgesBy>(kind >> 6);
+    const bool has_edges =
+        !ground.stencils.empty() && ground.stencils.back().configuration == Configuration::edge;
+    if ((kind >= 64 && !has_edges) ||
+        (coding.cells_first && (coding.turns_by_points || coding.guesses_points)) ||
         (coding.cells != ToldBy::walk && (coding.cells_first || coding.guesses_cells)))
         return corrupt("an order that is told in a way this version does not know");
     std::vector<ToldBy> by;
@@ -46,12 +50,13 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
         by.push_back(static_cast<ToldBy>(told));
         if (block.cell_count >= kMostNumbers || block.nodes.size() >= kMostNumbers)
             return corrupt("an order of more companions than have one");
-        need += 88 * block.cell_count + 8 * block.nodes.size();  // or 4 per host
+        need += 88 * block.cell_count + (has_edges ? 16 : 8) * block.nodes.size();
     }
     // A pool is told if elements have an index into it.
     for (const Attribute& a : ground.mesh.attributes)
         need += a.index.empty() ? 0 : 64 * a.values.count();
     if (!blocks.empty()) need += 8 * ground.mesh.point_count();
+    if (has_edges) need += 48 * ground.mesh.point_count();
     if (need > budget)
         return Error{Code::limit_exceeded, in.at(), "the order needs more memory than allowed"};
     budget -= need;

@@ -14,14 +14,15 @@ class Writer {
         : ground_(ground), turned_(turned), order_(order), points_(ground), cells_(ground) {}
 
     Bytes run() {
-        const OrderCoding coding = choose();
+        OrderCoding coding = choose();
+        choose_edges(coding);
         std::vector<ToldBy> by;
         for (std::size_t b = 0; b < blocks().size(); ++b) by.push_back(choose_block(b));
         ByteWriter out;
         out.u8(static_cast<std::uint8_t>(
             (coding.cells_first ? 1 : 0) | (coding.turns_by_points ? 2 : 0) |
             (coding.guesses_points ? 4 : 0) | (coding.guesses_cells ? 8 : 0) |
-            static_cast<int>(coding.cells) << 4));
+            static_cast<int>(coding.cells) << 4 | static_cast<int>(coding.edges) << 6));
         for (const ToldBy t : by) out.u8(static_cast<std::uint8_t>(t));
         FlagEncoder bits;
         BitsWriter coder{bits};
@@ -91,6 +92,22 @@ class Writer {
             best.guesses_cells = walk_guesses;
         }
         return best;
+    }
+
+    void choose_edges(OrderCoding& coding) {
+        std::size_t least = 0;
+        OrderCoding offered = coding;
+        for (const EdgesBy by :
+             {EdgesBy::walk, EdgesBy::ends, EdgesBy::cells, EdgesBy::gmsh_cells}) {
+            offered.edges = by;
+            bool has_edges = false;
+            const std::size_t bytes = cost(offered, [&](Codes& codes) {
+                has_edges = codes.has_edges();
+                if (has_edges) codes.points() && codes.edge_points();
+            });
+            if (!has_edges) return;
+            if (by == EdgesBy::walk || bytes < least) least = bytes, coding.edges = by;
+        }
     }
 
     ToldBy choose_block(std::size_t b) {

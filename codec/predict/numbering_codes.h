@@ -54,6 +54,8 @@ class NumberingCodes {
         return true;
     }
 
+    Id told() const { return static_cast<Id>(steps_.size()); }
+
   private:
     bool code_far(const Stencil& near, std::int64_t guessed, Id truth, Id& number) {
         sizes_.begin(near);

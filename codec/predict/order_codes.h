@@ -1,6 +1,7 @@
 // Codes the order that a mesh had: old numbers of points, cells and companions, and how these are
 // turned. What is coded second is taken in an order that the first tells: points as old cells use
-// them, or cells as their old points follow. On either side: `Coder` writes or reads.
+// them, or cells as their old points follow. Points of edges come last, as the ends of the edges
+// or the old cells follow. On either side: `Coder` writes or reads.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +24,16 @@ inline constexpr Index kMostNumbers = Index{1} << 30;
 // hosts.
 enum class ToldBy : std::uint8_t { walk, lowest, highest, first, hosts };
 
+// The same of the points of edges: as they come, by the old points of the ends from the lowest on,
+// or as the old cells use them, with the edges of a cell as VTK or as Gmsh has them.
+enum class EdgesBy : std::uint8_t { walk, ends, cells, gmsh_cells };
+
 struct OrderCoding {
     bool cells_first = false;      // then points are told as old cells use them
     bool turns_by_points = false;  // turns are told by the lowest old point, else by the gate
     bool guesses_points = false, guesses_cells = false;  // from those beside, along the walk
     ToldBy cells = ToldBy::walk;
+    EdgesBy edges = EdgesBy::walk;
 };
 
 // Elements are compared by so many of their points.
@@ -78,7 +84,13 @@ class OrderCodes {
           coding_(coding),
           points_around_(points_around),
           cells_around_(cells_around),
-          order_(order) {
+          order_(order),
+          point_numbers_(coder, static_cast<Id>(mesh_.point_count()),
+                         static_cast<Id>(mesh_.point_count())) {
+        edges_end_ = edges_begin_ = ground.stencils.size();
+        while (edges_begin_ > 0 &&
+               ground.stencils[edges_begin_ - 1].configuration == Configuration::edge)
+            --edges_begin_;
         order_.old_point.resize(mesh_.point_count());
         order_.old_cell.resize(mesh_.cell_count());
         order_.turn.resize(mesh_.cell_count());
@@ -86,16 +98,27 @@ class OrderCodes {
 
     // False: no encoder writes this.
     bool run() {
-        return coding_.cells_first ? turns() && cells() && points()
-                                   : points() && turns() && cells();
+        return (coding_.cells_first ? turns() && cells() && points()
+                                    : points() && turns() && cells()) &&
+               edge_points();
     }
+    // All but those of edges and what comes behind them.
     bool points() {
         std::vector<Id> told(mesh_.point_count());
         std::iota(told.begin(), told.end(), 0);
+        if (coding_.cells_first) told = as_used();
+        if (has_edges()) told.resize(edges_begin_);
         const bool guesses = coding_.guesses_points && !coding_.cells_first;
-        return numbers(coding_.cells_first ? as_used() : told, guesses ? &points_around_ : nullptr,
-                       order_.old_point, 0, static_cast<Id>(told.size()));
+        return numbers(point_numbers_, told, guesses ? &points_around_ : nullptr, order_.old_point,
+                       0);
     }
+    bool edge_points() {
+        if (!has_edges()) return true;
+        std::vector<Id> told = told_edges();
+        for (auto p = static_cast<Id>(edges_end_); p < mesh_.point_count(); ++p) told.push_back(p);
+        return numbers(point_numbers_, told, nullptr, order_.old_point, 0);
+    }
+    bool has_edges() const { return edges_begin_ < edges_end_; }
     bool turns() {
         const bool tets = mesh_.kind == CellKind::tet;
         last_turn_ = 0;
@@ -128,8 +151,9 @@ class OrderCodes {
             }
         }
         const bool guesses = coding_.guesses_cells && by == ToldBy::walk;
-        return numbers(told_order(begin, old_node, by, static_cast<Id>(mesh_.point_count())),
-                       guesses ? &cells_around_ : nullptr, order_.old_cell, 0, count);
+        NumberingCodes<Coder> codes(coder_, count, count);
+        return numbers(codes, told_order(begin, old_node, by, static_cast<Id>(mesh_.point_count())),
+                       guesses ? &cells_around_ : nullptr, order_.old_cell, 0);
     }
 
     // The companions of a block, of which the first `turned` may be turned; `before`: those of the
@@ -148,25 +172,28 @@ class OrderCodes {
             if (!code_start(n, lowest, turn)) return false;
             std::rotate(nodes, nodes + (n - turn) % n, nodes + n);
         }
+        NumberingCodes<Coder> codes(coder_, count, count);
+        auto bound = static_cast<Id>(mesh_.point_count());
         if (by == ToldBy::hosts) {
             // As if the host were the only node.
+            by = ToldBy::first;
+            bound = static_cast<Id>(mesh_.cell_count());
             std::iota(begin.begin(), begin.end(), Id{0});
             old_node.clear();
             for (const Index host : block.hosts)
                 old_node.push_back(static_cast<Id>(order_.old_cell[host]));
-            return numbers(
-                told_order(begin, old_node, ToldBy::first, static_cast<Id>(mesh_.cell_count())),
-                nullptr, order_.old_companion, before, count);
         }
-        return numbers(told_order(begin, old_node, by, static_cast<Id>(mesh_.point_count())),
-                       nullptr, order_.old_companion, before, count);
+        return numbers(codes, told_order(begin, old_node, by, bound), nullptr, order_.old_companion,
+                       before);
     }
 
     // Of a pool; told in the order of the file.
     bool tuples(std::vector<Index>& old) {
         std::vector<Id> told(old.size());
         std::iota(told.begin(), told.end(), 0);
-        return numbers(told, nullptr, old, 0, static_cast<Id>(old.size()));
+        const auto count = static_cast<Id>(old.size());
+        NumberingCodes<Coder> codes(coder_, count, count);
+        return numbers(codes, told, nullptr, old, 0);
     }
 
   private:
@@ -174,14 +201,12 @@ class OrderCodes {
     Id degree(Id cell) const { return static_cast<Id>(mesh_.cell(cell).size()); }
 
     // Old numbers of the elements, in the order they are told; counted from `before`.
-    bool numbers(const std::vector<Id>& told, const Around* around, std::vector<Index>& old,
-                 Index before, Id count) {
-        NumberingCodes<Coder> codes(coder_, count, count);
-        for (Id i = 0; i < count; ++i) {
-            const Id e = told[i];
+    bool numbers(NumberingCodes<Coder>& codes, const std::vector<Id>& told, const Around* around,
+                 std::vector<Index>& old, Index before) {
+        for (const Id e : told) {
             Stencil near;
             double guess = 0;
-            if (i > 0) near.at[0] = i - 1;
+            if (codes.told() > 0) near.at[0] = codes.told() - 1;
             if (around != nullptr) {
                 const Beside beside = around->beside(e, nullptr);
                 const Shares shares = shares_of(Guess::linear, beside, *around, e);
@@ -217,6 +242,46 @@ class OrderCodes {
         }
         for (Id p = 0; p < used.size(); ++p)
             if (!used[p]) told.push_back(p);
+        return told;
+    }
+
+    // The points of edges, in the order that is told.
+    std::vector<Id> told_edges() const {
+        const std::size_t count = edges_end_ - edges_begin_;
+        std::vector<Id> told;
+        if (coding_.edges == EdgesBy::walk || coding_.edges == EdgesBy::ends) {
+            std::vector<Id> begin(count + 1), old_node;
+            for (std::size_t e = 0; e < count; ++e) {
+                begin[e + 1] = static_cast<Id>(2 * e + 2);
+                for (std::size_t i = 0; i < 2; ++i)
+                    old_node.push_back(
+                        old_point(ground_.point[ground_.stencils[edges_begin_ + e].at[i]]));
+            }
+            const bool by_ends = coding_.edges == EdgesBy::ends;
+            told = told_order(begin, old_node, by_ends ? ToldBy::lowest : ToldBy::walk,
+                              static_cast<Id>(mesh_.point_count()));
+            for (Id& e : told) e += static_cast<Id>(edges_begin_);
+            return told;
+        }
+        // Each when it comes first, then those that no block has.
+        std::vector<std::uint8_t> seen(count, 0);
+        const auto take = [&](Index p) {
+            if (p < edges_begin_ || p >= edges_end_ || seen[p - edges_begin_]) return;
+            seen[p - edges_begin_] = 1;
+            told.push_back(static_cast<Id>(p));
+        };
+        const bool gmsh = coding_.edges == EdgesBy::gmsh_cells;
+        for (const CompanionBlock& given : mesh_.companions) {
+            if (given.vtk_type != 24 || given.nodes_per_cell != 6 ||
+                given.hosts.size() != mesh_.cell_count())
+                continue;
+            CompanionBlock block = given;
+            turn_edge_nodes(block, true, [&](Index host) { return order_.turn[host]; });
+            for (const Index c : inverse_of(order_.old_cell, mesh_.cell_count()))
+                for (std::size_t k = 0; k < 6; ++k)
+                    take(block.nodes[6 * c + (gmsh && k > 3 ? 9 - k : k)]);
+        }
+        for (Index p = edges_begin_; p < edges_end_; ++p) take(p);
         return told;
     }
 
@@ -322,6 +387,8 @@ class OrderCodes {
     const OrderCoding& coding_;
     const Around &points_around_, &cells_around_;
     Reorder& order_;
+    NumberingCodes<Coder> point_numbers_;
+    std::size_t edges_begin_ = 0, edges_end_ = 0;  // points of edges
     std::uint32_t last_turn_ = 0;
 };
 
