@@ -69,6 +69,14 @@ inline int rest_digits(const NumberFormat& format, std::int64_t whole) {
     return d > 0 ? d : 0;
 }
 
+// Rounded as floats are, whatever its exponent, by its bits. GCC 12 leaves the conversion to float
+// and back out where it makes vectors of it.
+inline double to_24_bits(double x) {
+    std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+    bits += 0x0FFFFFFF + (bits >> 29 & 1);  // ties to even
+    return std::bit_cast<double>(bits & ~std::uint64_t{0x1FFFFFFF});
+}
+
 struct Scaled {
     double units;  // the value in units, near enough to predict from
     double exact;  // the value

@@ -240,6 +240,10 @@ class PositionCodes {
         Point3 g = predictor_.guess(stencil, values_);
         const auto most = static_cast<double>(most_);
         for (double& x : g) x = std::clamp(x, -most, most);
+        // A middle that was computed was rounded as the mesh's floats are.
+        if (stencil.configuration == Configuration::edge && format_.narrow &&
+            format_.numbers.base == NumberBase::binary)
+            for (double& x : g) x = to_24_bits(x);
         return g;
     }
     // The whole part nearest to a value; where there are digits behind the point they are cut off.
@@ -428,6 +432,8 @@ class PositionCodes {
         } else if (digits == 0) {
             n.rest = 0;
             return true;
+        } else if (guess != nullptr) {
+            return code_rest_by(*guess, axis, digits, n);
         } else {
             const auto d = static_cast<std::uint32_t>(digits);
             if (coder_.flag(C::rest_zero.at(d), n.rest == 0)) {
@@ -440,27 +446,27 @@ class PositionCodes {
             f.base == NumberBase::binary
                 ? digits
                 : static_cast<int>(std::bit_width(kTens[static_cast<std::size_t>(digits)] - 1));
-        if (guess != nullptr && n.whole != 0)
-            code_rest_by(*guess, axis, digits, n);
-        else
-            n.rest = coder_.plain(n.rest, width);
+        n.rest = coder_.plain(n.rest, width);
         return n.rest != 0 &&
                (f.base == NumberBase::binary || n.rest < kTens[static_cast<std::size_t>(digits)]);
     }
 
     // The rest as a residual of what lies behind the point of the guess.
-    void code_rest_by(double guess, std::uint32_t axis, int digits, Number& n) {
-        const double one = format_.numbers.base == NumberBase::binary
-                               ? std::ldexp(1.0, digits)
-                               : kTensAsDoubles[static_cast<std::size_t>(digits)];
+    bool code_rest_by(double guess, std::uint32_t axis, int digits, Number& n) {
+        const NumberFormat& f = format_.numbers;
+        const bool decimal = f.base == NumberBase::decimal;
+        const std::uint64_t one =
+            decimal ? kTens[static_cast<std::size_t>(digits)] : std::uint64_t{1} << digits;
         const double part = std::abs(guess) - static_cast<double>(magnitude(n.whole));
         // To the nearest, ties to even, as floats are rounded.
-        const auto near = static_cast<std::uint64_t>((part * one + 0x1p52) - 0x1p52);
+        const auto near =
+            static_cast<std::uint64_t>((part * static_cast<double>(one) + 0x1p52) - 0x1p52);
         std::uint64_t& expected = rest_expected_[axis];
         const std::int64_t r =
             code_residual(coder_, scale_of(expected), static_cast<std::int64_t>(n.rest - near));
         expect(expected, std::min(magnitude(r), static_cast<std::uint64_t>(kMostWhole)));
         n.rest = near + static_cast<std::uint64_t>(r);
+        return n.rest < one && (n.rest == 0 || !decimal || f.places + digits <= kMostPlaces);
     }
 
     Coder& coder_;
