@@ -33,7 +33,11 @@ class Points:
         return self.hint_of[e]
 
     def beside(self, e):
-        if e >= self.shape.block.points:
+        edge = e - self.shape.block.points
+        if 0 <= edge < len(self.shape.walk.edges.ends):
+            ends = self.shape.walk.edges.ends[edge]
+            return [Beside(self.shape.mesh.point_of[v], i) for i, v in enumerate(ends)]
+        if edge >= 0:
             return [Beside(e - 1)] if e > 0 else []
         configuration, stencil = self.shape.walk.stencils[self.shape.mesh.vertex_of[e]]
         stencil = stencil + [NONE] * (11 - len(stencil))

@@ -13,6 +13,7 @@ import container
 import guesses
 from coin_stream import CoinStream, coin, varint, zigzag
 from conventions import NONE, crc32c, width
+from edges import Edges
 from errors import Invalid
 from positions import BINARY, DECIMAL, GRID, Positions
 from strip import read_strip
@@ -134,7 +135,7 @@ def make_positions_head(head):
             p.echoes.append((random.randrange(8), offset))
             out += bytes([p.echoes[-1][0]]) + b"".join(varint(zigzag(x)) for x in offset)
     p.weights = {}
-    for c, name in enumerate(guesses.NAMES):
+    for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
         count = guesses.WEIGHT_COUNT[c]
         p.weights[name] = guesses.DEFAULTS.get(name, [0] * count)
         if fitted >> c & 1:
@@ -155,7 +156,7 @@ def make_file(seed, rides=False):
     p, positions_bytes = make_positions_head(head)
     H = random.choice((16, 64, 256))
     block = SimpleNamespace(
-        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),
+        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3), edge_points=False,
         cells=2**31, corners=2**31, vertices=H, unused_points=0, uniform_degree=4)
     if head.tets:
         block.grid_side = random.choice((1, 2, 5, 30, 1000, 2**52))
@@ -176,7 +177,8 @@ def make_file(seed, rides=False):
             return None
         block.vertices = walk.vertex_count
         block.unused_points = unused_points
-        positions.read_unused_points()
+        walk.edges = Edges()
+        positions.read_unused_points(walk.edges)
     except (Endless, Invalid):
         return None
     block.cells = walk.cell_count

@@ -24,7 +24,11 @@ def read_companions(data, block, shape, make_stream=Stream):
         require(b.nodes_per_cell < 2**32, "nodes_per_cell")
         b.cell_count = bytes.varint()
         b.kind = bytes.u8()
-        require(b.kind <= 2, "kind of companions")
+        require(b.kind <= 3, "kind of companions")
+        if b.kind == 3:
+            require(block.edge_points, "nodes on edges that have no points")
+            require((b.vtk_type, b.nodes_per_cell) == (QUADRATIC_TET, 6), "nodes on edges of other cells")
+            require(b.cell_count == block.cells, "nodes on edges of some tets")
         if b.kind == 2:
             b.marks = bytes.varint()
             require(b.marks <= b.cell_count, "marks")
@@ -33,6 +37,10 @@ def read_companions(data, block, shape, make_stream=Stream):
         blocks.append(b)
     require(sum(b.cell_count for b in blocks) <= 2**62, "cell_count")
     for b in blocks:
+        if b.kind == 3:
+            b.cells = [[block.points + e for e in six] for six in shape.walk.edges.of]
+            b.hosts = list(range(block.cells))
+            continue
         rest = b.cell_count - b.marks
         require(b.nodes_per_cell * rest <= bytes.left(), "more companions than bytes")
         require(b.kind != 1 or rest <= bytes.left(), "more companions than bytes")

@@ -141,14 +141,16 @@ def read_block(data, tets):
     most = 2**32 - 2
     bytes = Bytes(data)
     flags = bytes.u8()
-    require(flags < 32, "bits 5-7 of block.flags")
+    require(flags < 64, "bits 6-7 of block.flags")
     b = SimpleNamespace(
         has_border=bool(flags & 1),
         has_flips=bool(flags & 2),
         has_copies=bool(flags & 4),
         mirrored=bool(flags & 8),
+        edge_points=bool(flags & 32),
     )
     require(tets or not b.mirrored, "mirrored polygons")
+    require(tets or not b.edge_points, "edge_points of polygons")
     b.cells = bytes.varint()
     require(b.cells < (357913941 if tets else most), "cells")
     if tets:
@@ -185,6 +187,8 @@ def check_memory(head, block, sections, limit):
     P, Q, V = (88 if head.tets else 52), 80, 360
     if head.keeps_order:
         P, Q, V = P + 24, 192, 416
+    if block.edge_points:
+        Q += 168
     need = block.corners * P + block.cells * Q + (block.vertices + block.unused_points) * V
     weight = {HEAD: 64, BLOCK: 64, COMPANIONS: 40, ATTRIBUTES: 4 if head.keeps_order else 2, NAMES: 72}
     need += sum(len(data) * weight.get(id, 1) for id, data in sections.items())

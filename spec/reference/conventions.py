@@ -119,6 +119,14 @@ def f32(x):
         return math.copysign(math.inf, x)
 
 
+def to_24_digits(x):
+    """A double rounded to 24 binary digits, ties to even."""
+    if x == 0:
+        return x
+    m, e = math.frexp(x)
+    return math.ldexp(round(m * 2**24), e - 24)
+
+
 def clamp(x, a, b):
     return a if x < a else b if b < x else x
 

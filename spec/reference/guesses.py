@@ -4,7 +4,7 @@ import math
 
 from conventions import NONE, cross, divide, dot, length, minus, plus, times
 
-NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet")
+NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "edge")
 NUMBER = {name: i for i, name in enumerate(NAMES)}
 WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7)
 DEFAULTS = {"polygon": [2048, 0, 1024], "tet": [0, -256, 1400, 800, 600, 2800, 0]}

@@ -8,16 +8,89 @@ from beside import NO_TUPLE
 from companions import QUADRATIC_TET
 from container import CELL, COMPANION, CORNER, MESH, POINT
 from conventions import NONE, Bytes, clamp
+from edges import TET_EDGES
 from errors import require
 from flags import Stream
 from sizes import Sizes
 from tuples import Echo
 from values import LINEAR, shares
 
-WALK, LOWEST, HIGHEST, FIRST = range(4)
+WALK, LOWEST, HIGHEST, FIRST, HOSTS = range(5)
 PERMUTATIONS = list(itertools.permutations(range(4)))
-EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+AS_THEY_COME, BY_ENDS, BY_CELLS, BY_CELLS_OF_GMSH = range(4)
 MASK32 = 2**32 - 1
+
+
+class Numbers:
+    """13.1: numbers that come once, of N elements."""
+
+    def __init__(self, order, N):
+        self.order = order
+        self.N = N
+        self.left = list(range(N))
+        self.is_left = [True] * N
+        self.number_of = [None] * N
+        self.last = MASK32
+        self.ways = 0
+        self.was_near = False
+        self.before = None
+        self.echo = Echo(N)
+        self.sizes = Sizes(order.stream, 1)
+
+    def tell(self, order, guessing=None):
+        """The old numbers of all elements so far; `guessing` are the elements where there are guesses."""
+        for e in order:
+            near = [self.before] if self.before is not None else []
+            guess = math.nan
+            if guessing:
+                found = guessing.beside(e)
+                guess = self.order.guess(guessing, e, found, self.number_of)
+                for i, b in enumerate(found[:3]):
+                    near[i : i + 1] = [b.element]
+            # 1
+            step = self.echo.value()
+            echoed = NONE if step is None else (self.last + step) & MASK32
+            at = bisect.bisect_right(self.left, self.last) if self.last != MASK32 else 0
+            next = self.left[at] if at < len(self.left) else self.left[0]
+            has_guess = math.isfinite(guess)
+            guessed = math.floor(clamp(guess, 0.0, 2.0**32) + 0.5) if has_guess else self.last
+
+            def there(x):
+                return 0 <= x < self.N and self.is_left[x]
+
+            # 2
+            way = 0
+            if there(echoed) and self.order.flag("number_echo", self.echo.held_class()):
+                way = 1
+                number = echoed
+            elif next != echoed and self.order.flag("number_next", self.ways):
+                way = 2
+                number = next
+            elif has_guess and there(guessed) and guessed not in (next, echoed) and self.order.flag("number_guess", self.ways):
+                way = 3
+                number = guessed
+            self.ways = (4 * self.ways + way) % 16
+            # 3
+            magnitudes = [0, 0, 0]
+            if way == 0:
+                self.sizes.begin(near, 0)
+                self.was_near = self.order.flag("number_near", self.was_near)
+                if self.was_near:
+                    number = self.order.read_near(guessed, self.sizes, self.left)
+                    magnitudes = None
+                else:
+                    number = self.left[self.order.stream.below(len(self.left))]
+                    magnitudes = self.sizes.half
+            require(there(number), "an order that is no permutation")
+            self.sizes.keep(e, magnitudes)
+            # 4
+            self.is_left[number] = False
+            self.left.pop(bisect.bisect_left(self.left, number))
+            self.number_of[e] = number
+            self.echo.step((number - self.last) & MASK32)
+            self.last = number
+            self.before = e
+        return self.number_of
 
 
 class Order:
@@ -32,13 +105,15 @@ class Order:
         self.guesses_points = bool(told & 4)
         self.guesses_cells = bool(told & 8)
         self.cells_by = told >> 4 & 3
-        require(told < 64, "told")
+        self.edges_by = told >> 6
+        self.edges = shape.walk.edges
+        require(told < 64 or self.edges.ends, "told: edges")
         require(not self.cells_first or not told & 6, "told: cells_first")
         require(self.cells_by == WALK or not told & 9, "told: cells_by")
         self.by = []
         for b in mesh.companions:
             self.by.append(bytes.u8())
-            require(self.by[-1] < 4, "by of companions")
+            require(self.by[-1] < (5 if b.hosts else 4), "by of companions")
             require(len(b.cells) < 2**30 and len(b.cells) * b.nodes_per_cell < 2**30, "too many companions")
         self.stream = make_stream(bytes.take(bytes.left()), "attributes")
         self.old_point = None
@@ -57,6 +132,7 @@ class Order:
             self.read_points()
             self.read_turns()
             self.read_cells()
+        self.read_edge_points()
         self.companion_turns = []
         self.old_companion = []
         for b, by in zip(self.mesh.companions, self.by):
@@ -66,7 +142,11 @@ class Order:
             for cell, turn in zip(b.cells, turns):
                 old = [self.old_point[p] for p in cell]
                 nodes.append([old[(i - turn) % len(old)] for i in range(len(old))])
-            self.old_companion.append(self.numbers(self.sorted_by(by, nodes)))
+            if by == HOSTS:
+                order = sorted(range(len(nodes)), key=lambda i: self.old_cell[b.hosts[i]])
+            else:
+                order = self.sorted_by(by, nodes)
+            self.old_companion.append(self.numbers(order))
         self.old_tuple = []
         for a in self.mesh.attributes:
             told = a.pooled and a.count > 0
@@ -86,7 +166,46 @@ class Order:
                         met.add(p)
                         order.append(p)
             order += [p for p in range(points.count) if p not in met]
-        self.old_point = self.numbers(order, points if self.guesses_points else None)
+        self.point_numbers = Numbers(self, points.count)
+        if self.edges.ends:
+            order = order[: self.shape.block.points]
+        self.old_point = self.point_numbers.tell(order, points if self.guesses_points else None)
+
+    def read_edge_points(self):
+        if not self.edges.ends:
+            return
+        first = self.shape.block.points
+        order = range(len(self.edges.ends))
+        if self.edges_by == BY_ENDS:
+            point_of = self.shape.mesh.point_of
+            order = self.sorted_by(
+                LOWEST, [[self.old_point[point_of[v]] for v in ends] for ends in self.edges.ends])
+        elif self.edges_by != AS_THEY_COME:
+            order = self.edges_of_old_cells()
+        told = [first + e for e in order]
+        told += range(first + len(told), len(self.mesh.points))
+        self.old_point = self.point_numbers.tell(told)
+
+    def edges_of_old_cells(self):
+        """As the old cells have them, if a block has them all; then the others."""
+        met = dict.fromkeys(())
+        first = self.shape.block.points
+        for b in self.mesh.companions:
+            if b.vtk_type != QUADRATIC_TET or b.nodes_per_cell != 6 or not b.hosts:
+                continue
+            if len(b.hosts) != len(self.mesh.cells):
+                continue
+            old = [move_edges(cell, PERMUTATIONS[self.turns[h]]) for cell, h in zip(b.cells, b.hosts)]
+            for c in self.by_old_cell():
+                nodes = old[c]
+                if self.edges_by == BY_CELLS_OF_GMSH:
+                    nodes = nodes[:4] + nodes[:3:-1]
+                for p in nodes:
+                    if first <= p < first + len(self.edges.ends):
+                        met.setdefault(p - first)
+        for e in range(len(self.edges.ends)):
+            met.setdefault(e)
+        return list(met)
 
     def by_old_cell(self):
         order = [0] * len(self.old_cell)
@@ -135,69 +254,7 @@ class Order:
 
     def numbers(self, order, guessing=None):
         """The old numbers of the elements; `guessing` are the elements where there are guesses."""
-        order = list(order)
-        N = len(order)
-        left = list(range(N))
-        is_left = [True] * N
-        number_of = [None] * N
-        last = MASK32
-        ways = 0
-        was_near = False
-        before = None
-        echo = Echo(N)
-        sizes = Sizes(self.stream, 1)
-        for e in order:
-            near = [before] if before is not None else []
-            guess = math.nan
-            if guessing:
-                found = guessing.beside(e)
-                guess = self.guess(guessing, e, found, number_of)
-                for i, b in enumerate(found[:3]):
-                    near[i : i + 1] = [b.element]
-            # 1
-            step = echo.value()
-            echoed = NONE if step is None else (last + step) & MASK32
-            at = bisect.bisect_right(left, last) if last != MASK32 else 0
-            next = left[at] if at < len(left) else left[0]
-            has_guess = math.isfinite(guess)
-            guessed = math.floor(clamp(guess, 0.0, 2.0**32) + 0.5) if has_guess else last
-
-            def there(x):
-                return 0 <= x < N and is_left[x]
-
-            # 2
-            way = 0
-            if there(echoed) and self.flag("number_echo", echo.held_class()):
-                way = 1
-                number = echoed
-            elif next != echoed and self.flag("number_next", ways):
-                way = 2
-                number = next
-            elif has_guess and there(guessed) and guessed not in (next, echoed) and self.flag("number_guess", ways):
-                way = 3
-                number = guessed
-            ways = (4 * ways + way) % 16
-            # 3
-            magnitudes = [0, 0, 0]
-            if way == 0:
-                sizes.begin(near, 0)
-                was_near = self.flag("number_near", was_near)
-                if was_near:
-                    number = self.read_near(guessed, sizes, left)
-                    magnitudes = None
-                else:
-                    number = left[self.stream.below(len(left))]
-                    magnitudes = sizes.half
-            require(there(number), "an order that is no permutation")
-            sizes.keep(e, magnitudes)
-            # 4
-            is_left[number] = False
-            left.pop(bisect.bisect_left(left, number))
-            number_of[e] = number
-            echo.step((number - last) & MASK32)
-            last = number
-            before = e
-        return number_of
+        return Numbers(self, len(order)).tell(order, guessing)
 
     def read_near(self, guessed, sizes, left):
         return guessed + sizes.residual(0)
@@ -344,9 +401,9 @@ def restore(order):
 def move_edges(nodes, permutation):
     """The mid-edge nodes of a tet whose new corner i is old corner permutation[i]."""
     result = [None] * 6
-    for (a, b), node in zip(EDGES, nodes):
+    for (a, b), node in zip(TET_EDGES, nodes):
         ends = {permutation[a], permutation[b]}
-        result[next(k for k, edge in enumerate(EDGES) if set(edge) == ends)] = node
+        result[next(k for k, edge in enumerate(TET_EDGES) if set(edge) == ends)] = node
     return result
 
 

@@ -4,7 +4,7 @@ import math
 from types import SimpleNamespace
 
 import guesses
-from conventions import NONE, Bytes, clamp, i64, scale, width
+from conventions import NONE, Bytes, clamp, i64, scale, to_24_digits, width
 from echoes import Echoes
 from errors import require
 from followers import Followers
@@ -51,7 +51,7 @@ def read_positions_head(data, head):
             require(p.digits == 0 or not any(offset), "offset of an echo with digits")
             p.echoes.append((mirrored, offset))
     p.weights = {}
-    for c, name in enumerate(guesses.NAMES):
+    for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
         count = guesses.WEIGHT_COUNT[c]
         if fitted >> c & 1:
             weights = [bytes.zigzag() for _ in range(count)]
@@ -94,6 +94,8 @@ class Positions:
         self.same_history = 0
         self.follow_same_history = 0
         self.level_history = [0, 0, 0]
+        self.usual_rest = [0, 0, 0]
+        self.rounds = self.base == BINARY and not self.wide
         self.last_minus_zero = [False] * 3
         self.last_whole_zero = [False] * 3
 
@@ -142,9 +144,14 @@ class Positions:
     # 8.3
 
     def guess(self, configuration, stencil):
-        g = guesses.guess(
-            configuration, stencil, self.value, self.head.weights[configuration], self.block.mirrored)
-        return tuple(clamp(x, -float(self.M), float(self.M)) for x in g)
+        if configuration == "edge":
+            a, b = self.value[stencil[0]], self.value[stencil[1]]
+            g = tuple((x + y) * 0.5 for x, y in zip(a, b))
+        else:
+            g = guesses.guess(
+                configuration, stencil, self.value, self.head.weights[configuration], self.block.mirrored)
+        g = tuple(clamp(x, -float(self.M), float(self.M)) for x in g)
+        return tuple(to_24_digits(x) for x in g) if configuration == "edge" and self.rounds else g
 
     def whole_of(self, x):
         return math.trunc(x) if self.digits > 0 else math.floor(x + 0.5)
@@ -155,7 +162,9 @@ class Positions:
         stencil = stencil + [NONE] * (11 - len(stencil))
         v = len(self.value)
         sizes = self.sizes
-        sizes.begin([p for p in stencil[:3] if p != NONE], NUMBER[configuration])
+        on_edge = configuration == "edge"
+        near = stencil[2:5] if on_edge else stencil[:3]
+        sizes.begin([p for p in near if p != NONE], NUMBER[configuration])
         # 1
         if self.head.has_outliers and self.flag("outlier", 0):
             self.outlier_bits[v] = [self.stream.plain(64 if self.wide else 32) for _ in range(3)]
@@ -174,7 +183,7 @@ class Positions:
         # 3
         follows = repeats = False
         leader = NONE
-        if self.followers:
+        if self.followers and not on_edge:
             self.followers.advance(v, configuration, stencil)
             leader = self.followers.leader(v, stencil, self.prior)
             if leader != NONE:
@@ -183,7 +192,7 @@ class Positions:
                 follows = self.followers.read(repeats)
         # 4
         echo = None
-        if self.echoes and not follows:
+        if self.echoes and not follows and not on_edge:
             echo = self.echoes.read(v, guess)
             if echo:
                 said = [self.echoes.says(*echo, k, self.M) for k in range(3)]
@@ -207,7 +216,7 @@ class Positions:
             elif follows and (repeats or self.digits == 0):
                 same = self.flag("follow_same", k, self.follow_same_history)
                 self.follow_same_history = (self.follow_same_history * 2 + same) % 4
-            elif not follows and self.head.has_levels:
+            elif not follows and self.head.has_levels and not on_edge:
                 level = self.read_level(configuration, stencil, k, w[k])
                 same = level is not None
             # 7.2
@@ -229,12 +238,16 @@ class Positions:
                 residual = sizes.residual(k)
             whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
             require(-self.M < whole < self.M, "whole")
-            value[k], coordinate[k] = self.value_and_coordinate(whole, *self.behind_the_point(k, whole))
+            told = guess[k] if on_edge and residual == 0 else None
+            value[k], coordinate[k] = self.value_and_coordinate(whole, *self.behind_the_point(k, whole, told))
         # 8
         sizes.keep(v, sizes.half if follows or echo else None)
         self.add(tuple(value), tuple(coordinate))
         if self.followers:
-            self.followers.enter(v)
+            if on_edge:
+                self.followers.skip()
+            else:
+                self.followers.enter(v)
 
     def add(self, value, coordinate):
         self.value.append(value)
@@ -264,8 +277,8 @@ class Positions:
 
     # 8.5.4
 
-    def behind_the_point(self, axis, whole):
-        """rest, zeros, negative"""
+    def behind_the_point(self, axis, whole, told):
+        """rest, zeros, negative; `told`: the guess, where it tells of the rest"""
         has_minus_zero = self.head.has_minus_zero
         if self.digits == 0:
             negative = False
@@ -286,7 +299,11 @@ class Positions:
             negative = self.stream.plain(1) == 1
             while zeros < 63 and self.flag("leading", zeros):
                 zeros += 1
-        elif e == 0 or self.flag("rest_zero", e):
+        elif e == 0:
+            return 0, 0, False
+        elif told is not None:
+            return self.rest_by(told, axis, whole, e), 0, False
+        elif self.flag("rest_zero", e):
             return 0, 0, False
         if self.base == DECIMAL:
             require(self.places + zeros + e <= 22, "more than 22 decimal places")
@@ -301,6 +318,20 @@ class Positions:
         require(rest != 0, "rest 0 where it can't be")
         return rest
 
+    def rest_by(self, told, axis, whole, e):
+        one = 10**e if self.base == DECIMAL else 2**e
+        near = int((abs(told) - float(abs(whole))) * float(one) + 2.0**52 - 2.0**52)
+        usual = self.usual_rest[axis]
+        b = width(usual + 1) - 1
+        half = 1 if ((usual + 1) << 15) >> b >= 46341 else 0
+        residual = self.stream.residual(min(2 * b + half, 95), 2 if b < 5 else b - 3)
+        size = min(abs(residual), 2**53)
+        self.usual_rest[axis] = usual + ((16 * size + 31) >> 5) - ((usual + 31) >> 5)
+        rest = (near + residual) % 2**64
+        require(rest < one, "rest of a point of an edge")
+        require(self.base != DECIMAL or rest == 0 or self.places + e <= 22, "more than 22 decimal places")
+        return rest
+
     # 8.7
 
     def copy(self, original):
@@ -311,7 +342,11 @@ class Positions:
 
     # 8.8
 
-    def read_unused_points(self):
+    def read_unused_points(self, edges):
+        require(len(edges.ends) <= self.block.unused_points, "more edges than points")
         for i in range(self.block.unused_points):
-            before = self.block.vertices + i - 1
-            self.read("seed", [before] if before >= 0 else [])
+            v = self.block.vertices + i
+            if i < len(edges.ends):
+                self.read("edge", [*edges.ends[i], *range(v - 1, v - 1 - min(i, 3), -1)])
+            else:
+                self.read("seed", [v - 1] if v > 0 else [])

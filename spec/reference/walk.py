@@ -1,6 +1,7 @@
 """Chapter 5: the walk, as far as it is the same for surfaces and tets."""
 
 from conventions import MASK64, NONE, unzigzag
+from edges import edges_of
 from errors import require
 
 OPEN, BORDER, GONE = "open", "border", "gone"
@@ -69,7 +70,8 @@ class Walk:
         require(len(self.vertex) == block.corners, "corners")
         require(seeds == block.components, "components")
         require(sum(c == NONE for c in self.copy_of) == block.points, "points")
-        self.positions.read_unused_points()
+        self.edges = edges_of(block, self)
+        self.positions.read_unused_points(self.edges)
         self.stream.end()
         self.positions.stream.end()
 

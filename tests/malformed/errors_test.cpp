@@ -133,6 +133,29 @@ TEST_CASE("counts that the walk does not confirm are corrupt") {
     CHECK(with([](BlockHead& b) { --b.vertices, --b.points; }) == Code::corrupt);
 }
 
+TEST_CASE("points of edges that there can't be are corrupt") {
+    const auto v = test::victim("tets:box=2x1x1", {}, true);
+    const auto with = [&](auto change) {
+        return code_of(test::with_block_head(v.file, v.kind, change));
+    };
+    CHECK(with([](BlockHead& b) { b.has_edge_points = false; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { b.unused_points = 3; }) == Code::corrupt);
+    CHECK(with([](BlockHead& b) { ++b.unused_points; }) == Code::corrupt);
+    const auto surface = test::victim("torus:size=6x4");
+    CHECK(code_of(test::with_block_head(surface.file, surface.kind, [](BlockHead& b) {
+              b.has_edge_points = true;
+          })) == Code::corrupt);
+    const auto plain = test::victim("tets:box=2x1x1");
+    CHECK(code_of(test::with_block_head(plain.file, plain.kind, [](BlockHead& b) {
+              b.has_edge_points = true;
+          })) == Code::corrupt);
+    // The block of companions that follows from them: count, then type, nodes, cells, kind.
+    for (const std::size_t field : {1, 2, 3, 4})
+        CHECK(code_of(test::with_section(v.file, SectionId::companions, [&](Bytes& raw) {
+                  raw[field] = static_cast<std::byte>(static_cast<unsigned>(raw[field]) - 1);
+              })) == Code::corrupt);
+}
+
 TEST_CASE("an order that is no permutation is corrupt") {
     EncodeOptions options;
     options.keep_order = true;

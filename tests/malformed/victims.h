@@ -8,6 +8,7 @@
 
 #include "make/make_mesh.h"
 #include "support/file_parts.h"
+#include "support/quadratic_tets.h"
 
 namespace ravel::test {
 
@@ -17,9 +18,12 @@ struct Victim {
     Bytes file;
 };
 
-inline Victim victim(const std::string& recipe, const EncodeOptions& options = {}) {
+// `quadratic`: tets with points of their edges.
+inline Victim victim(const std::string& recipe, const EncodeOptions& options = {},
+                     bool quadratic = false) {
     Result<Mesh> mesh = make::make_mesh(recipe);
     REQUIRE(mesh.ok());
+    if (quadratic) *mesh = with_edge_nodes(*mesh, 3);
     mesh->notes.push_back({"key", "text"});
     Result<Encoded> packed = encode(*mesh, options);
     REQUIRE(packed.ok());
@@ -38,6 +42,8 @@ inline std::vector<Victim> victims() {
           "tiny:tets-on-one-face", "tets:box=2x1x1,attributes,companions", "soup:tets=12,seed=4"})
         for (const EncodeOptions& options : {EncodeOptions{}, grid, ordered})
             all.push_back(victim(recipe, options));
+    for (const EncodeOptions& options : {EncodeOptions{}, grid, ordered})
+        all.push_back(victim("tets:box=1,companions", options, true));
     return all;
 }
 

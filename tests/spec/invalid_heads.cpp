@@ -41,7 +41,8 @@ void InvalidMaker::heads() {
     attribute(18, "scalar", "a reference by f32", [](AttributeHead& a) {
         a.references = {{0, Place::point, 0}};
     });
-    add(19, "flags", "bit 5 of flags", flags("two-quads", SectionId::block, 32));
+    add(19, "flags", "bit 6 of flags", flags("two-quads", SectionId::block, 64));
+    add(19, "edge-points", "edge_points with polygons", flags("two-quads", SectionId::block, 32));
     add(19, "mirrored", "mirrored with polygons", flags("two-quads", SectionId::block, 8));
 }
 
@@ -93,6 +94,19 @@ void InvalidMaker::counts() {
 void InvalidMaker::riders() {
     add(47, "count", "one companion block more than there are",
         block_changed("companions", CellKind::tet, [](BlockHead& b) { ++b.companions; }));
+    add(58, "points", "more edges than points",
+        block_changed("two-tets", CellKind::tet, [](BlockHead& b) { b.has_edge_points = true; }));
+    add(58, "kind", "nodes on edges without edge_points",
+        block_changed("edge-points", CellKind::tet,
+                      [](BlockHead& b) { b.has_edge_points = false; }));
+    const auto on_edges = [&](const char* name, const char* says, std::size_t at, unsigned value) {
+        add(58, name, says, raw_changed("edge-points", SectionId::companions, [=](Bytes& raw) {
+                raw[at] = byte(value);
+            }));
+    };
+    on_edges("type", "vtk_type is 5", 1, 5);
+    on_edges("nodes", "nodes_per_cell is 3", 2, 3);
+    on_edges("cells", "one cell less than tets", 3, 11);
     add(49, "tuples", "one tuple more than points",
         head_changed("attributes", [](Head& h) { ++h.attributes[0].tuples; }));
     const auto names = [&](const char* name, const char* says, auto change) {

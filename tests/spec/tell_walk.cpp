@@ -4,6 +4,7 @@
 
 #include "entropy/flag_model.h"
 #include "entropy/priors.h"
+#include "predict/edge_points.h"
 #include "predict/priors.h"
 #include "spec/context_names.h"
 #include "spec/tell_fields.h"
@@ -131,7 +132,7 @@ struct TraceCoder {
 };
 
 constexpr const char* kConfigurationName[] = {
-    "seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet"};
+    "seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "edge"};
 
 class TraceDriver {
   public:
@@ -162,6 +163,8 @@ class TraceDriver {
             bad_ = bad_ || last_copied_ >= v;
         }
         if (bad_) return;
+        points_.push_back(of == kNone ? static_cast<Id>(own_.size()) : points_[of]);
+        if (of == kNone) own_.push_back(v);
         if (of != kNone)
             positions_.copy(of);
         else
@@ -192,6 +195,14 @@ class TraceDriver {
         for (Id i = walked->begin(cell); i < walked->end(cell); ++i)
             text += " " + std::to_string(walked->vertex[i]);
         telling_.detail(text + (last_flip_ ? ", flipped\n" : "\n"));
+        if (!tets_) return;
+        std::array<Index, 4> corners{};
+        for (Id i = 0; i < 4; ++i) corners[i] = points_[walked->vertex[walked->begin(cell) + i]];
+        if (last_flip_) std::swap(corners[2], corners[3]);
+        corners_.insert(corners_.end(), corners.begin(), corners.end());
+    }
+    EdgePoints edges() const {
+        return block_.has_edge_points ? edge_points_of(corners_, own_) : EdgePoints{};
     }
 
     Id degree() const { return 0; }
@@ -212,6 +223,8 @@ class TraceDriver {
     const bool tets_;
     Telling& telling_;
     std::vector<Point3> places_;
+    std::vector<Id> points_, own_;  // per vertex; per point
+    std::vector<Index> corners_;    // of tets, points
     std::uint64_t last_copied_ = 0, cells_ = 0;
     bool last_was_copy_ = false, last_flip_ = false, bad_ = false;
 };
@@ -253,10 +266,10 @@ std::string tell_walk(const Head& head, const BlockHead& block, const Bytes& con
     if (!(tets ? run<TetWalk<TraceDriver>>(driver, limits)
                : run<SurfaceWalk<TraceDriver>>(driver, limits)))
         return "the walk fails";
+    const EdgePoints edges = driver.edges();
     for (Index i = 0; i < block.unused_points; ++i) {
-        Stencil stencil;
         const Index v = block.vertices + i;
-        if (v > 0) stencil.at[0] = static_cast<Id>(v - 1);
+        const Stencil stencil = stencil_of_unused(edges, i, block.vertices);
         if (!positions.next(stencil, {}, false)) return "an unused point fails";
         driver.tell_vertex(static_cast<Id>(v), stencil, kNone);
     }

@@ -6,6 +6,7 @@
 
 #include "make/make_mesh.h"
 #include "ravel/ravel.h"
+#include "support/quadratic_tets.h"
 
 namespace ravel::test {
 namespace {
@@ -155,6 +156,12 @@ std::vector<ValidFile> valid_files() {
     add_made("tet-soup", "random tets with every kind of dirt", "soup:tets=10,seed=4", bits(9));
     add_made("companions", "triangles, lines and attributes beside tets",
              "tets:box=1x1x2,companions,attributes", bits(6));
+    add("edge-points", "quadratic tets, and a point that no cell has",
+        with_edge_nodes(made("tets:box=1x1x2,jitter=0.2"), 0), bits(9));
+    add("edge-points-exact", "quadratic tets, lossless, whose nodes are not all in the middle",
+        with_edge_nodes(made("tets:ball=2,jitter=0.1"), 5));
+    add("edge-points-order", "quadratic tets of a kept order",
+        with_edge_nodes(made("tets:box=1,shuffle"), 3), ordered);
     add_made("tet-order", "a kept order of tets", "tets:box=1,shuffle", ordered);
     return all;
 }
