@@ -1,6 +1,6 @@
 // Decodes .ravel files in pages, workers and Node. The module is part of this file: nothing is
 // fetched, nothing is evaluated.
-import deflated from '../.build/wasm.mjs';
+import { packed, size, unpacker } from '../.build/wasm.mjs';
 import { RavelError, ReplyReader, read_info, read_mesh } from './reply.mjs';
 import { turn_outwards } from './surface.mjs';
 import { triangulate } from './triangulate.mjs';
@@ -15,10 +15,19 @@ const DEFAULT_LIMIT = 2 ** 31;
 
 let module, compiling, spare;
 
+function bytes_of_text(text) {
+    return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+}
+
+// The module comes packed; a small one unpacks it (decoder/unlzma.cpp), behind a zero.
 async function compile() {
-    const bytes = Uint8Array.from(atob(deflated), (letter) => letter.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-    module = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+    const { instance } = await WebAssembly.instantiate(bytes_of_text(unpacker));
+    const { memory, unpack } = instance.exports, bytes = bytes_of_text(packed);
+    const from = memory.buffer.byteLength, to = from + bytes.length + 1;
+    memory.grow(Math.ceil((to + size - from) / 65536));
+    new Uint8Array(memory.buffer).set(bytes, from);
+    unpack(from, to, size);
+    module = await WebAssembly.compile(new Uint8Array(memory.buffer, to, size));
 }
 
 // Resolves once decodeSync and infoSync may be called.
