@@ -113,8 +113,8 @@ struct Ground {
             if (across == kNone || across / 4 == facet / 4 || !enter(across / 4)) return;
             const Id base = across & ~Id{3};
             Id next = base;
-            while (next < base + 4 && walk.vertex[next] != behind) ++next;
-            if (next == base + 4) return;  // no cell an encoder makes
+            for (Id k = 1; k < 4; ++k) next += walk.vertex[base + k] == behind ? k : 0;
+            if (walk.vertex[next] != behind) return;  // no cell an encoder makes
             behind = walk.vertex[across];
             g = next;
         }

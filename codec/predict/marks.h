@@ -137,23 +137,35 @@ class MarkCodes {
             nodes[k] = ground_.point_at((facet & ~Id{3}) + kOutwardCorners[facet & 3][k]);
         return nodes;
     }
+    // Those of the border come first: mostly they are all that is marked.
     void facets() {
         marked_.assign(walk_.twin.size(), 0);
-        for (Id f = 0; f < walk_.twin.size() && left_ > 0; ++f) {
-            if (!earlier(f)) continue;
-            const bool border = walk_.twin[f] == kNone;
-            const std::array<Id, 3> nodes = nodes_of(f);
-            std::uint32_t touched = 0;
-            for (const Id p : nodes) touched += ends_[p].facets;
-            About about;
-            if (border || touched > 1) look_about(f, about);
-            if (!ask(AttributeContexts::mark_facet.at(border, about.marked, about.unmarked,
-                                                      about.flat),
-                     nodes, f, about))
-                continue;
-            marked_[f] = 1;
-            for (const Id p : nodes) ends_[p].facets = 1;
+        for (const bool border : {true, false}) {
+            first_of_pass_ = marks_.size();
+            inside_ = !border;
+            for (Id f = 0; f < walk_.twin.size() && left_ > 0; ++f)
+                if ((walk_.twin[f] == kNone) == border && earlier(f)) ask_facet(f);
         }
+    }
+    void ask_facet(Id f) {
+        const std::array<Id, 3> nodes = nodes_of(f);
+        std::uint32_t touched = 0;
+        for (const Id p : nodes) touched += ends_[p].facets;
+        About about;
+        if (!inside_ || touched > 1) look_about(f, about);
+        if (!ask(AttributeContexts::mark_facet.at(!inside_, about.marked, about.unmarked,
+                                                  about.flat),
+                 nodes, f, about))
+            return;
+        marked_[f] = 1;
+        for (const Id p : nodes) ends_[p].facets = 1;
+    }
+    // Of a marked facet of the earlier cell. Each pass leaves its marks in the order of facets.
+    const Mark& mark_of(Id facet) const {
+        const auto pass = marks_.begin() + static_cast<std::ptrdiff_t>(first_of_pass_);
+        const bool now = (walk_.twin[facet] != kNone) == inside_;
+        return *std::lower_bound(now ? pass : marks_.begin(), now ? marks_.end() : pass, facet,
+                                 [](const Mark& m, Id f) { return m.facet < f; });
     }
     // The facets met when turning about the edges, first from the facet's own cell, then from the
     // other side. As seen from between them, marks that go on straight have equal normals.
@@ -167,7 +179,7 @@ class MarkCodes {
                     side, local, [](Id) { return true; },
                     [&](Id g) {
                         const Id other = walk_.twin[g], first = std::min(g, other);
-                        if (first >= f) return true;
+                        if (first >= f && (other == kNone) != inside_) return true;
                         if (!marked_[first]) {
                             about.unmarked += other == kNone;
                             return true;
@@ -176,9 +188,7 @@ class MarkCodes {
                         const std::uint32_t flat = flatness(normal, ground_.normal_of(g));
                         if (flat <= about.flat) return false;
                         about.flat = flat;
-                        const Mark& mark = *std::lower_bound(
-                            marks_.begin(), marks_.end(), first,
-                            [](const Mark& m, Id facet) { return m.facet < facet; });
+                        const Mark& mark = mark_of(first);
                         about.found = true;
                         about.block = mark.block;
                         about.reversed = mark.reversed != ((g != first) != (side != f));
@@ -269,6 +279,8 @@ class MarkCodes {
     Id last_block_ = 0;
     bool last_turn_ = false, sane_ = true;
     std::vector<Mark> marks_;
+    std::size_t first_of_pass_ = 0;  // of the facets' marks
+    bool inside_ = false;            // the pass: facets that are no border
     std::vector<std::uint8_t> marked_;  // per facet of the earlier cell
     std::vector<Ends> ends_;            // per point that a cell has
 };

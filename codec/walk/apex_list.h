@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "mesh/complex.h"
-#include "walk/sphere_family.h"
 
 namespace ravel {
 
@@ -19,71 +19,73 @@ struct ApexCandidate {
     std::uint32_t times = 0;  // edges of the gate it folds onto
 };
 
-// In the order of height, where each fold makes up for 1/32 of the gate's circumradius: in regular
-// meshes several vertices lie on one sphere. Equal ones stay in the order they came.
+// In the order of rank: of height, where each fold makes up for 1/32 of the gate's circumradius
+// (in regular meshes several vertices lie on one sphere); what is not above comes last, more folds
+// first. Of equal ranks the one that came first. Mostly the first two are all that is asked for, so
+// only they are put in their places until `sort`.
 class ApexList {
   public:
-    // What is beyond those asked for is let go, or a crowd of vertices would make each tet cost the
-    // square of the crowd.
+    // What is beyond those asked for is let go.
     static constexpr std::size_t kMost = 12;
 
     void clear(double height_of_radius) {
-        size_ = 0;
+        list_.clear();
         worth_ = height_of_radius / 32;
     }
-    std::size_t size() const { return size_; }
-    bool empty() const { return size_ == 0; }
-    const ApexCandidate& operator[](std::size_t i) const { return list_[i]; }
-    bool holds(Id vertex) const { return place_of(vertex) < size_; }
+    std::size_t size() const { return list_.size(); }
+    bool empty() const { return list_.empty(); }
+    const ApexCandidate& operator[](std::size_t i) const { return list_[i].candidate; }
 
-    void offer(const ApexCandidate& candidate) {
-        const double rank = rank_of(candidate);
-        std::size_t i = size_;
-        if (i == kMost) {
-            if (!(rank < rank_[kMost - 1])) return;
-            --i;
-        } else {
-            ++size_;
-        }
-        for (; i > 0 && rank < rank_[i - 1]; --i) {
-            list_[i] = list_[i - 1];
-            rank_[i] = rank_[i - 1];
-        }
-        list_[i] = candidate;
-        rank_[i] = rank;
+    bool holds(Id vertex) const {
+        return std::any_of(list_.begin(), list_.end(),
+                           [&](const Ranked& r) { return r.candidate.vertex == vertex; });
     }
-    // Removes and returns the candidate of a vertex; a fresh one where there is none.
-    ApexCandidate take(Id vertex) {
-        const std::size_t i = place_of(vertex);
-        if (i == size_) {
-            ApexCandidate fresh;
-            fresh.vertex = vertex;
-            fresh.beyond_border = true;
-            return fresh;
+    void add(const ApexCandidate& candidate) {
+        list_.push_back({rank_of(candidate), static_cast<std::uint32_t>(list_.size()), candidate});
+    }
+    // The candidate of a vertex, which is changed before it is ranked; a new one where there is
+    // none.
+    template <class Change>
+    void change(Id vertex, const Change& change) {
+        std::size_t i = 0;
+        while (i < list_.size() && list_[i].candidate.vertex != vertex) ++i;
+        if (i == list_.size()) {
+            list_.push_back({0, static_cast<std::uint32_t>(i), {}});
+            list_[i].candidate.vertex = vertex;
+            list_[i].candidate.beyond_border = true;
         }
-        const ApexCandidate known = list_[i];
-        --size_;
-        for (std::size_t k = i; k < size_; ++k) {
-            list_[k] = list_[k + 1];
-            rank_[k] = rank_[k + 1];
+        change(list_[i].candidate);
+        list_[i].rank = rank_of(list_[i].candidate);
+    }
+    // Puts the first two in their places.
+    void lift_two() {
+        for (std::size_t place = 0; place < 2 && place < list_.size(); ++place) {
+            std::size_t least = place;
+            for (std::size_t i = place + 1; i < list_.size(); ++i)
+                least = list_[i] < list_[least] ? i : least;
+            std::swap(list_[place], list_[least]);
         }
-        return known;
+    }
+    void sort() {
+        std::sort(list_.begin(), list_.end());
+        if (list_.size() > kMost) list_.resize(kMost);
     }
 
   private:
-    std::size_t place_of(Id vertex) const {
-        std::size_t i = 0;
-        while (i < size_ && list_[i].vertex != vertex) ++i;
-        return i;
-    }
-    // What is not above comes last, more folds first.
+    struct Ranked {
+        double rank;
+        std::uint32_t came;
+        ApexCandidate candidate;
+
+        bool operator<(const Ranked& other) const {
+            return rank != other.rank ? rank < other.rank : came < other.came;
+        }
+    };
     double rank_of(const ApexCandidate& c) const {
         return c.above ? c.height - worth_ * c.times : 1e300 / (1 + c.times);
     }
 
-    std::array<ApexCandidate, kMost> list_;
-    std::array<double, kMost> rank_{};
-    std::size_t size_ = 0;
+    std::vector<Ranked> list_;
     double worth_ = 0;
 };
 

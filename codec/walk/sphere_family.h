@@ -31,25 +31,21 @@ class SphereFamily {
         for (std::size_t i = 0; i < 3; ++i) centre_[i] = (uu * vn[i] + vv * nu[i]) / (2 * square_);
         radius_square_ = dot(centre_, centre_);
         flat_ = !(radius_square_ > 0);
+        if (!flat_) unit_ = std::sqrt(radius_square_ / square_);
     }
     bool flat() const { return flat_; }
-    // Height of the centre along the (unnormalised) normal; false where p is not above the
-    // triangle.
-    bool height_of(const Point3& p, double& height) const {
+    // How far p lies above the triangle, and what its sphere's height would be times twice that.
+    struct Lift {
+        double above, twice;
+    };
+    Lift lift_of(const Point3& p) const {
         const Point3 q = minus(p, a_);
-        const double above = dot(normal_, q);
-        if (!(above > 0)) return false;
-        height = (dot(q, q) - 2 * dot(q, centre_)) / (2 * above);
-        return true;
+        return {dot(normal_, q), dot(q, q) - 2 * dot(q, centre_)};
     }
-    // Square of height over circumradius, with the height's sign; and the height that has such a
-    // square.
-    double relative(double height) const {
-        return height * std::fabs(height) * square_ / radius_square_;
-    }
-    double height_at(double relative_square) const {
-        return std::sqrt(relative_square * radius_square_ / square_);
-    }
+    // Height of the centre along the (unnormalised) normal; only of what is above.
+    static double height_of(const Lift& lift) { return lift.twice / (2 * lift.above); }
+    // The height that equals the triangle's circumradius; others are told in multiples of it.
+    double unit() const { return unit_; }
     Point3 centre_at(double height) const {
         return {a_[0] + centre_[0] + height * normal_[0], a_[1] + centre_[1] + height * normal_[1],
                 a_[2] + centre_[2] + height * normal_[2]};
@@ -60,7 +56,7 @@ class SphereFamily {
 
   private:
     Point3 a_, normal_{}, centre_{};
-    double square_ = 0, radius_square_ = 0;
+    double square_ = 0, radius_square_ = 0, unit_ = 0;
     bool flat_ = true;
 };
 

@@ -7,6 +7,7 @@
 // Triangles that leave the front make room for new ones: what the walk touches stays small.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -100,10 +101,11 @@ class TetFront {
     }
     void erase(Id triangle) {
         if (table_.empty()) return;
-        std::size_t i = home_of(key_of(triangles_[triangle].vertex));
-        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
-            if (table_[i] == triangle) {
-                table_[i] = kErased;
+        std::size_t i = home_of(hash_of(key_of(triangles_[triangle].vertex)));
+        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
+             ++probe, i = next(i))
+            if (table_[i].triangle == triangle) {
+                table_[i].triangle = kErased;
                 --live_;
                 return;
             }
@@ -112,10 +114,13 @@ class TetFront {
     Id find(Id triangle) const {
         if (table_.empty()) return kNone;
         const Key key = key_of(triangles_[triangle].vertex);
-        std::size_t i = home_of(key);
-        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
-            if (table_[i] != kErased && key_of(triangles_[table_[i]].vertex) == key)
-                return table_[i];
+        const std::uint64_t hash = hash_of(key);
+        std::size_t i = home_of(hash);
+        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
+             ++probe, i = next(i))
+            if (table_[i].print == print_of(hash) && table_[i].triangle != kErased &&
+                key_of(triangles_[table_[i].triangle].vertex) == key)
+                return table_[i].triangle;
         return kNone;
     }
     // How many places the hash has, and how often it became another one.
@@ -156,32 +161,35 @@ class TetFront {
         for (Id k = 0; k < 3; ++k) pair(slot(made[k], 0), slot(made[(k + 1) % 3], 1), 1);
     }
 
-    static Key key_of(Key v) {
-        if (v[0] > v[1]) std::swap(v[0], v[1]);
-        if (v[1] > v[2]) std::swap(v[1], v[2]);
-        if (v[0] > v[1]) std::swap(v[0], v[1]);
-        return v;
+    static Key key_of(const Key& v) {
+        const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
+        return {std::min(low, v[2]), std::max(low, std::min(high, v[2])), std::max(high, v[2])};
     }
-    std::size_t home_of(const Key& v) const {
+    std::uint64_t hash_of(const Key& v) const {
         std::uint64_t h = (v[0] + (change_ << 32)) * 0x9E3779B97F4A7C15u;
         h = (h ^ (h >> 29) ^ v[1]) * 0xBF58476D1CE4E5B9u;
         h = (h ^ (h >> 32) ^ v[2]) * 0x94D049BB133111EBu;
-        return (h ^ (h >> 31)) & (table_.size() - 1);
+        return h ^ (h >> 31);
+    }
+    std::size_t home_of(std::uint64_t hash) const { return hash & (table_.size() - 1); }
+    static std::uint32_t print_of(std::uint64_t hash) {
+        return static_cast<std::uint32_t>(hash >> 32);
     }
     std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
     // False where all places near its own are taken.
     bool place(Id triangle) {
-        std::size_t i = home_of(key_of(triangles_[triangle].vertex));
+        const std::uint64_t hash = hash_of(key_of(triangles_[triangle].vertex));
+        std::size_t i = home_of(hash);
         for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
-            if (table_[i] >= kErased) {
-                if (table_[i] == kNone) ++used_;
-                table_[i] = triangle;
+            if (table_[i].triangle >= kErased) {
+                if (table_[i].triangle == kNone) ++used_;
+                table_[i] = {triangle, print_of(hash)};
                 return true;
             }
         return false;
     }
     void rehash(bool crowded) {
-        std::vector<Id> old;
+        std::vector<Place> old;
         old.swap(table_);
         std::size_t size = std::max<std::size_t>(64, old.size());
         for (bool fits = false; !fits; crowded = true) {
@@ -189,17 +197,22 @@ class TetFront {
                 size *= 2;
             else
                 change_ += crowded;
-            table_.assign(size, kNone);
+            table_.assign(size, {});
             used_ = 0;
             fits = true;
-            for (const Id triangle : old)
-                if (triangle < kErased && fits) fits = place(triangle);
+            for (const Place& p : old)
+                if (p.triangle < kErased && fits) fits = place(p.triangle);
         }
     }
 
+    struct Place {
+        Id triangle = kNone;
+        std::uint32_t print = 0;  // of its hash, to tell most others apart without a look at them
+    };
+
     std::vector<Triangle> triangles_;
     Id free_ = kNone;        // first of the list of free places, linked by mate[0]
-    std::vector<Id> table_;  // open addressing, linear probing
+    std::vector<Place> table_;  // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
     std::uint64_t change_ = 0;
 };

@@ -156,31 +156,32 @@ class TetWalk {
         return v == t.vertex[0] || v == t.vertex[1] || v == t.vertex[2];
     }
     static constexpr std::uint32_t kNotAbove = 13;
+    // Bounds are multiples of the gate's circumradius.
     static std::uint32_t height_class(const SphereFamily& family, const ApexCandidate& candidate) {
-        static constexpr std::array<double, 12> kBounds{-0.25, 0.0, 0.04, 0.12, 0.25, 0.45,
-                                                        0.8,   1.4, 2.5,  5.0,  12.0, 60.0};
+        static constexpr std::array<double, 12> kBounds{-0.5, 0.0, 0.2, 0.35, 0.5, 0.67,
+                                                        0.9,  1.2, 1.6, 2.2,  3.5, 7.7};
         if (!candidate.above) return kNotAbove;
-        const double r = family.relative(candidate.height);
-        std::uint32_t i = 0;
-        while (i < kBounds.size() && r > kBounds[i]) ++i;
-        return i;
+        const double h = candidate.height / family.unit();
+        std::uint32_t c = 0;
+        for (const double bound : kBounds) c += h > bound;
+        return c;
     }
     // How far the second candidate lies above the first: 0 for next to nothing, 3 for far or none.
     std::uint32_t gap_class(const SphereFamily& family) const {
         if (list_.size() < 2 || !list_[1].above) return 3;
-        const double gap = (list_[1].height - list_[0].height) / family.height_at(1);
-        return gap < 0.03 ? 0 : gap < 0.12 ? 1 : gap < 0.35 ? 2 : 3;
+        const double gap = (list_[1].height - list_[0].height) / family.unit();
+        return (gap >= 0.03) + (gap >= 0.12) + (gap >= 0.35);
     }
     std::uint32_t second_class(const SphereFamily& family) const {
         if (list_.size() < 2 || !list_[1].above) return 5;
-        const double r = family.relative(list_[1].height);
-        return r < 0.12 ? 0 : r < 0.45 ? 1 : r < 1.4 ? 2 : r < 5 ? 3 : 4;
+        const double h = list_[1].height / family.unit();
+        return (h >= 0.35) + (h >= 0.67) + (h >= 1.2) + (h >= 2.2);
     }
 
     Id code_apex(const TetFront::Triangle& gate, Apex& kind) {
         const SphereFamily family(driver_.place(gate.vertex[0]), driver_.place(gate.vertex[1]),
                                   driver_.place(gate.vertex[2]), limits_.mirrored);
-        list_.clear(family.flat() ? 0 : family.height_at(1));
+        list_.clear(family.unit());
         const std::uint32_t borders = offer_folds(gate, family);
         offer_near(gate, family);
         const auto answer = [&](const ApexCandidate& candidate) {
@@ -189,6 +190,7 @@ class TetWalk {
         };
         std::uint32_t height = kNotAbove, times = 0;
         if (!list_.empty()) {
+            list_.lift_two();
             const ApexCandidate& lowest = list_[0];
             height = height_class(family, lowest);
             times = lowest.times;
@@ -204,6 +206,7 @@ class TetWalk {
             kind = Apex::fresh;
             return kNone;
         }
+        list_.sort();
         for (std::size_t i = 1; i < list_.size(); ++i) {
             const auto place = static_cast<std::uint32_t>(i - 1);
             if (driver_.flag(tet::kNext.at(place, list_[i].times, list_[i].above),
@@ -222,13 +225,16 @@ class TetWalk {
             const bool beyond = front_.across(gate, e).border;
             borders += beyond;
             if (open_count_[apex] == 0 || is_in(gate, apex)) continue;
-            ApexCandidate candidate = list_.take(apex);
-            if (candidate.times == 0 && !family.flat())
-                candidate.above = family.height_of(driver_.place(apex), candidate.height);
-            ++candidate.times;
-            if (!beyond) candidate.fan = std::max(candidate.fan, gate.fan[e]);
-            candidate.beyond_border = candidate.beyond_border && beyond;
-            list_.offer(candidate);
+            list_.change(apex, [&](ApexCandidate& candidate) {
+                if (candidate.times == 0 && !family.flat()) {
+                    const SphereFamily::Lift lift = family.lift_of(driver_.place(apex));
+                    candidate.above = lift.above > 0;
+                    candidate.height = candidate.above ? SphereFamily::height_of(lift) : 0;
+                }
+                ++candidate.times;
+                if (!beyond) candidate.fan = std::max(candidate.fan, gate.fan[e]);
+                candidate.beyond_border = candidate.beyond_border && beyond;
+            });
         }
         return borders;
     }
@@ -238,66 +244,62 @@ class TetWalk {
     // the search is not made, or ends early.
     void offer_near(const TetFront::Triangle& gate, const SphereFamily& family) {
         if (family.flat()) return;
-        for (const double relative : {0.3, 1.2, 4.0}) {
-            double height = family.height_at(relative);
-            const bool last = !list_.empty() && list_[0].above && list_[0].height <= height;
-            if (last) height = list_[0].height;
+        double lowest = 1e300;
+        for (std::size_t i = 0; i < list_.size(); ++i)
+            if (list_[i].above) lowest = std::min(lowest, list_[i].height);
+        for (const double multiple : {1.0, 2.0}) {
+            const double height = std::min(multiple * family.unit(), lowest);
+            search(gate, family, height);
             bool found = false;
-            search(gate, family, height, [&](const ApexCandidate& candidate) {
-                if (list_.holds(candidate.vertex)) return;
-                list_.offer(candidate);
+            for (const Far& near : found_) {
+                if (list_.holds(near.vertex)) continue;
+                ApexCandidate candidate;
+                candidate.vertex = near.vertex;
+                candidate.height = near.height;
+                candidate.above = true;
+                list_.add(candidate);
                 found = true;
-            });
-            if (last || found) return;
+            }
+            if (found || height == lowest) return;
         }
     }
 
-    template <class Take>
-    void search(const TetFront::Triangle& gate, const SphereFamily& family, double height,
-                const Take& take) const {
+    // Fills `found_` with the front vertices whose spheres are not above `height`.
+    void search(const TetFront::Triangle& gate, const SphereFamily& family, double height) {
         constexpr std::uint32_t kMostVertices = 1500;
-        const Point3 centre = family.centre_at(height);
-        const double radius = family.radius_at(height);
-        // A little more than the sphere: rounding must not leave out what lies on it.
-        const double square = radius * radius * 1.000001;
+        const double twice = 2 * height;
         std::uint32_t seen = 0;
-        grid_.around(centre, radius, [&](Id v, const Point3& place) {
-            if (++seen > kMostVertices) return false;
-            const Point3 way = minus(place, centre);
-            if (dot(way, way) > square) return true;
-            ApexCandidate candidate;
-            candidate.vertex = v;
-            candidate.above = family.height_of(place, candidate.height);
-            if (candidate.above && candidate.height <= height && !is_in(gate, v)) take(candidate);
-            return true;
-        });
+        found_.clear();
+        grid_.around(family.centre_at(height), family.radius_at(height),
+                     [&](Id v, const Point3& place) {
+                         if (++seen > kMostVertices) return false;
+                         const SphereFamily::Lift lift = family.lift_of(place);
+                         if (!(lift.above > 0) || lift.twice > twice * lift.above || is_in(gate, v)) return true;
+                         found_.push_back({SphereFamily::height_of(lift), v});
+                         return true;
+                     });
     }
 
     // An apex that is none of the list: by its rank among the front vertices in a large sphere, or
     // by its age.
     Id code_far(const TetFront::Triangle& gate, const SphereFamily& family, Id truth) {
-        constexpr double kHighest = 100;
-        more_.clear();
-        if (!family.flat())
-            search(gate, family, family.height_at(kHighest), [&](const ApexCandidate& candidate) {
-                if (!list_.holds(candidate.vertex))
-                    more_.push_back({candidate.height, candidate.vertex});
-            });
+        constexpr double kHighest = 3;
+        found_.clear();
+        if (!family.flat()) search(gate, family, kHighest * family.unit());
+        std::erase_if(found_, [&](const Far& far) { return list_.holds(far.vertex); });
         constexpr std::uint64_t kMostRanks = 64;
-        const auto known = std::find_if(more_.begin(), more_.end(),
+        const auto known = std::find_if(found_.begin(), found_.end(),
                                         [&](const Far& far) { return far.vertex == truth; });
         std::uint64_t rank = kMostRanks;
-        if (known != more_.end())
+        if (known != found_.end())
             rank = static_cast<std::uint64_t>(std::count_if(
-                more_.begin(), more_.end(), [&](const Far& far) { return far < *known; }));
+                found_.begin(), found_.end(), [&](const Far& far) { return far < *known; }));
         if (driver_.flag(tet::kNear.at(0), rank < kMostRanks)) {
             rank = driver_.number(tet::kNearRank.base, rank);
-            if (rank >= std::min<std::uint64_t>(kMostRanks, more_.size())) return kNone;
-            // The lowest come first, as many as are counted.
-            auto lowest = more_.begin();
-            for (std::uint64_t i = 0; i <= rank; ++i, ++lowest)
-                std::iter_swap(lowest, std::min_element(lowest, more_.end()));
-            return (lowest - 1)->vertex;
+            if (rank >= std::min<std::uint64_t>(kMostRanks, found_.size())) return kNone;
+            const auto at = found_.begin() + static_cast<std::ptrdiff_t>(rank);
+            std::nth_element(found_.begin(), at, found_.end());
+            return at->vertex;
         }
         const std::uint64_t age =
             driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
@@ -397,7 +399,7 @@ class TetWalk {
     std::vector<std::uint8_t> on_border_;    // per vertex
     std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it
     ApexList list_;
-    std::vector<Far> more_;
+    std::vector<Far> found_;
 };
 
 }  // namespace ravel
