@@ -477,7 +477,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
     const Echoes echoes = find_echoes(firm, plan.format.numbers.digits == 0);
     plan.format.cube_bits = cube_bits_of(record, places);
-    plan.format.looks_far = vertices < kSmall || complex.kind == CellKind::tet;
+    plan.format.looks_far = false;
     plan.format.echoes = echoes.likely;
     if (!echoes.likely.empty()) offer();
     if (!echoes.more.empty() && vertices < kLarge) {

@@ -13,7 +13,9 @@ class CellGraph final : public FloodGraph {
   public:
     // Parts may well end at the facets `marked`.
     CellGraph(const Ground<Walk>& ground, const std::vector<Id>& marked)
-        : FloodGraph(ground.walk.vertex.size()), ground_(ground) {
+        : FloodGraph(ground.walk.vertex.size()),
+          ground_(ground),
+          walled_(ground.walk.vertex_count, 0) {
         for (const Id f : marked) set_former(f);
     }
 
@@ -26,7 +28,23 @@ class CellGraph final : public FloodGraph {
     // The straightest way on from the walls about the edges (ends) of the facet, and from how many
     // of them.
     std::uint32_t walls_about(Id facet, const std::vector<std::uint8_t>& known) const override {
-        const bool tets = ground_.walk.kind == CellKind::tet;
+        const Walk& walk = ground_.walk;
+        const bool tets = walk.kind == CellKind::tet;
+        // A wall about an edge has both of its ends.
+        const Id base = facet & ~Id{3};
+        std::array<bool, 4> at{};
+        if (tets) {
+            std::uint32_t ends = 0;
+            for (Id k = 0; k < 4; ++k) {
+                at[k] = k != (facet & 3) && walled_[walk.vertex[base + k]];
+                ends += at[k];
+            }
+            if (ends < 2) return 0;
+        } else {
+            at[0] = walled_[walk.vertex[facet]];
+            at[1] = walled_[walk.vertex[walk.next_in_cell(facet)]];
+            if (!at[0] && !at[1]) return 0;
+        }
         const Point3 own = tets ? ground_.normal_of(facet) : ground_.way_of(facet);
         std::uint32_t straightest = 0, walls = 0;
         const auto enter = [&](Id cell) { return known[cell] != 0; };
@@ -38,17 +56,31 @@ class CellGraph final : public FloodGraph {
             return false;
         };
         if (tets) {
-            for (Id local = 0; local < 4; ++local)
-                if (local != (facet & 3)) ground_.turn_about_edge(facet, local, enter, visit);
+            for (Id local = 0; local < 4; ++local) {
+                bool both = local != (facet & 3);
+                for (Id k = 0; k < 4; ++k) both = both && (k == local || k == (facet & 3) || at[k]);
+                if (both) ground_.turn_about_edge(facet, local, enter, visit);
+            }
         } else {
-            ground_.turn_about_end(facet, false, enter, visit);
-            ground_.turn_about_end(facet, true, enter, visit);
+            if (at[0]) ground_.turn_about_end(facet, false, enter, visit);
+            if (at[1]) ground_.turn_about_end(facet, true, enter, visit);
         }
         return 3 * straightest + std::min(walls, 2u);
+    }
+    void note_start() override { walled_.assign(walled_.size(), 0); }
+    void note_wall(Id facet) override {
+        const Walk& walk = ground_.walk;
+        if (walk.kind == CellKind::tet) {
+            for (Id k = facet & ~Id{3}; k < (facet | 3) + 1; ++k)
+                if (k != facet) walled_[walk.vertex[k]] = 1;
+        } else {
+            walled_[walk.vertex[facet]] = walled_[walk.vertex[walk.next_in_cell(facet)]] = 1;
+        }
     }
 
   private:
     const Ground<Walk>& ground_;
+    std::vector<std::uint8_t> walled_;  // per vertex: is it on a wall?
 };
 
 template <class Walk>

@@ -84,6 +84,10 @@ bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vecto
                 const Id g = graph.twin(f);
                 if (g == kNone) continue;
                 const Id to = graph.element_of(g);
+                if (known[to]) {
+                    if (tuple[to] != tuple[from]) graph.set_wall(f);
+                    continue;
+                }
                 std::uint32_t with = 0, against = 0;
                 bool walled = false;
                 // Elements of very many links are seen in part: the time stays linear.
@@ -95,8 +99,10 @@ bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vecto
                     ++(same ? with : against);
                     walled = walled || (same && graph.is_wall(h));
                 }
-                if (known[to] ? tuple[to] != tuple[from] : walled) graph.set_wall(f);
-                if (known[to] || walled) continue;
+                if (walled) {
+                    graph.set_wall(f);
+                    continue;
+                }
                 const bool goes_on = coder.flag(
                     AttributeContexts::flood.at(std::max(with, 1u) - 1, against,
                                                 graph.walls_about(f, known), graph.was_wall(f)),

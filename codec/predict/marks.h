@@ -66,7 +66,7 @@ class MarkCodes {
   private:
     // Of lines (or facets) so far at a point.
     struct Ends {
-        std::uint8_t facets = 0, lines = 0;
+        std::uint8_t facets = 0, lines = 0;  // facets: of this pass
         std::int8_t flow = 0;  // lines that end here less those that start
         bool border = false;
     };
@@ -143,6 +143,7 @@ class MarkCodes {
         for (const bool border : {true, false}) {
             first_of_pass_ = marks_.size();
             inside_ = !border;
+            for (Ends& end : ends_) end.facets = 0;
             for (Id f = 0; f < walk_.twin.size() && left_ > 0; ++f)
                 if ((walk_.twin[f] == kNone) == border && earlier(f)) ask_facet(f);
         }
