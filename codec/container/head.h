@@ -58,7 +58,7 @@ struct BlockHead {
 
 // Cubes of the vertex grid of a block with so many vertices.
 inline std::uint64_t most_cubes(Index vertices) {
-    return 4 * vertices + 64;
+    return 8 * vertices + 64;
 }
 
 Bytes write_head(const Head& head);

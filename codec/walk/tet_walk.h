@@ -13,6 +13,9 @@
 //     bool border(Id facet)        is there no tet across the walk's facet?
 #pragma once
 
+#include <algorithm>
+#include <span>
+
 #include "walk/apex_list.h"
 #include "walk/sphere_family.h"
 #include "walk/tet_front.h"
@@ -49,6 +52,15 @@ class TetWalk {
 
   private:
     enum class Apex : std::uint8_t { fold, fresh, old };
+    struct Near {
+        double height, above;
+        Id vertex;
+
+        bool operator<(const Near& other) const {
+            return height != other.height ? height < other.height : vertex < other.vertex;
+        }
+    };
+    static constexpr std::size_t kMostLooked = 1500;  // vertices of a search
     static constexpr std::size_t kAhead = 1024;  // corners
 
     bool wind_component() {
@@ -249,9 +261,8 @@ class TetWalk {
             if (list_[i].above) lowest = std::min(lowest, list_[i].height);
         for (const double multiple : {1.0, 2.0}) {
             const double height = std::min(multiple * family.unit(), lowest);
-            search(gate, family, height);
             bool found = false;
-            for (const Far& near : found_) {
+            for (const Near& near : search(gate, family, height)) {
                 if (list_.holds(near.vertex)) continue;
                 ApexCandidate candidate;
                 candidate.vertex = near.vertex;
@@ -264,41 +275,50 @@ class TetWalk {
         }
     }
 
-    // Fills `found_` with the front vertices whose spheres are not above `height`.
-    void search(const TetFront::Triangle& gate, const SphereFamily& family, double height) {
-        constexpr std::uint32_t kMostVertices = 1500;
+    // The front vertices whose spheres are not above `height`, in `near_`.
+    std::span<Near> search(const TetFront::Triangle& gate, const SphereFamily& family,
+                           double height) {
         const double twice = 2 * height;
-        std::uint32_t seen = 0;
-        found_.clear();
+        std::size_t seen = 0, count = 0;
+        // Whether one is near enough is anyone's guess, so nothing branches on it.
         grid_.around(family.centre_at(height), family.radius_at(height),
                      [&](Id v, const Point3& place) {
-                         if (++seen > kMostVertices) return false;
                          const SphereFamily::Lift lift = family.lift_of(place);
-                         if (!(lift.above > 0) || lift.twice > twice * lift.above || is_in(gate, v)) return true;
-                         found_.push_back({SphereFamily::height_of(lift), v});
-                         return true;
+                         near_[count] = {lift.twice, lift.above, v};
+                         count += (lift.above > 0) & (lift.twice <= twice * lift.above);
+                         return ++seen < kMostLooked;
                      });
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Near near = near_[i];
+            near_[kept] = {near.height / (2 * near.above), near.above, near.vertex};
+            kept += !is_in(gate, near.vertex);
+        }
+        return {near_.data(), kept};
     }
 
     // An apex that is none of the list: by its rank among the front vertices in a large sphere, or
     // by its age.
     Id code_far(const TetFront::Triangle& gate, const SphereFamily& family, Id truth) {
         constexpr double kHighest = 3;
-        found_.clear();
-        if (!family.flat()) search(gate, family, kHighest * family.unit());
-        std::erase_if(found_, [&](const Far& far) { return list_.holds(far.vertex); });
+        std::span<Near> far;
+        if (!family.flat()) far = search(gate, family, kHighest * family.unit());
+        far = far.first(static_cast<std::size_t>(
+            std::remove_if(far.begin(), far.end(),
+                           [&](const Near& near) { return list_.holds(near.vertex); }) -
+            far.begin()));
         constexpr std::uint64_t kMostRanks = 64;
-        const auto known = std::find_if(found_.begin(), found_.end(),
-                                        [&](const Far& far) { return far.vertex == truth; });
+        const auto known = std::find_if(far.begin(), far.end(),
+                                        [&](const Near& near) { return near.vertex == truth; });
         std::uint64_t rank = kMostRanks;
-        if (known != found_.end())
+        if (known != far.end())
             rank = static_cast<std::uint64_t>(std::count_if(
-                found_.begin(), found_.end(), [&](const Far& far) { return far < *known; }));
+                far.begin(), far.end(), [&](const Near& near) { return near < *known; }));
         if (driver_.flag(tet::kNear.at(0), rank < kMostRanks)) {
             rank = driver_.number(tet::kNearRank.base, rank);
-            if (rank >= std::min<std::uint64_t>(kMostRanks, found_.size())) return kNone;
-            const auto at = found_.begin() + static_cast<std::ptrdiff_t>(rank);
-            std::nth_element(found_.begin(), at, found_.end());
+            if (rank >= std::min<std::uint64_t>(kMostRanks, far.size())) return kNone;
+            const auto at = far.begin() + static_cast<std::ptrdiff_t>(rank);
+            std::nth_element(far.begin(), at, far.end());
             return at->vertex;
         }
         const std::uint64_t age =
@@ -379,15 +399,6 @@ class TetWalk {
         for (const Id v : front_[triangle].vertex) on_border_[v] = 1;
     }
 
-    struct Far {
-        double height;
-        Id vertex;
-
-        bool operator<(const Far& other) const {
-            return height != other.height ? height < other.height : vertex < other.vertex;
-        }
-    };
-
     Driver& driver_;
     const WalkLimits limits_;
     Walked walked_;
@@ -399,7 +410,7 @@ class TetWalk {
     std::vector<std::uint8_t> on_border_;    // per vertex
     std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it
     ApexList list_;
-    std::vector<Far> found_;
+    std::vector<Near> near_ = std::vector<Near>(kMostLooked);
 };
 
 }  // namespace ravel
