@@ -24,14 +24,20 @@ class CornersAround final : public Around {
     Beside beside(Id element, const Id* tuple) const override {
         const Id corner = ground_.mesh_corner(element), cell = walk_.cell_of(corner);
         Beside b;
+        std::array<Id, 3> there_of{};
+        std::array<std::uint32_t, 3> how_of{};
+        std::size_t count = 0;
+        across(corner, cell, [&](Id there, Id beside_here, Id beside_there) {
+            how_of[count] = agreement(element, tuple, beside_here, beside_there);
+            there_of[count++] = ground_.mesh_corner(there);
+        });
         std::uint32_t agree = 0;
-        for (const std::uint32_t wanted : {1u, 0u, 2u})
-            across(corner, cell, [&](Id there, Id beside_here, Id beside_there) {
-                const std::uint32_t how = agreement(element, tuple, beside_here, beside_there);
-                if (how != wanted) return;
-                if (b.count == 0) agree = how;
-                b.add(ground_.mesh_corner(there));
-            });
+        if (count == 2 && kPlace[how_of[0]] > kPlace[how_of[1]]) {
+            std::swap(how_of[0], how_of[1]);
+            std::swap(there_of[0], there_of[1]);
+        }
+        if (count > 0) agree = how_of[0];
+        for (std::size_t i = 0; i < count; ++i) b.add(there_of[i]);
         b.hint = agree + 3 * std::min(b.count, 1u);
         Id other = before_[corner];
         // In a flipped cell that has a vertex twice the one before may come later in the mesh.
@@ -124,6 +130,9 @@ class CornersAround final : public Around {
         if (tuple == nullptr || here == kNone || ground_.mesh_corner(here) >= element) return 0;
         return tuple[ground_.mesh_corner(here)] == tuple[ground_.mesh_corner(there)] ? 1 : 2;
     }
+
+    // By agreement; three neighbours there are only of tets, where none is known.
+    static constexpr std::array<std::uint8_t, 3> kPlace{1, 0, 2};
 
     const Ground<Walk>& ground_;
     const Walk& walk_;

@@ -93,10 +93,11 @@ struct Ground {
     }
 
     // The corner of the mesh where the walk has `corner`: flipped cells are turned back there.
-    Id mesh_corner(Id corner) const {
+    Id mesh_corner(Id corner) const { return flipped.empty() ? corner : turned_back(corner); }
+    Id turned_back(Id corner) const {
         const Id cell = walk.cell_of(corner), begin = walk.begin(cell);
         const Id i = corner - begin;
-        if (flipped.empty() || !flipped[cell] || i == 0) return corner;
+        if (!flipped[cell] || i == 0) return corner;
         if (walk.kind == CellKind::tet) return i < 2 ? corner : begin + 5 - i;
         return walk.end(cell) - i;
     }

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -366,21 +367,19 @@ class PositionCodes {
     }
     bool code_level(const Stencil& stencil, std::size_t axis, std::int64_t guess,
                     const Number& truth) {
-        const std::size_t n = level_count_;
-        std::array<double, kLevelStencil> x;
-        for (std::size_t i = 0; i < n; ++i) x[i] = values_[level_id_[i]][axis];
-        // The coordinate that most share, the first of these. Done where fewer are left.
-        std::uint32_t most = 1;
-        std::size_t left = n;
-        for (std::size_t i = 0; left > most; ++i) {
-            std::uint32_t votes = 0;
-            for (std::size_t j = 0; j < i && votes == 0; ++j) votes = x[j] == x[i];
-            if (votes > 0) continue;
-            for (std::size_t j = i; j < n; ++j) votes += x[j] == x[i];
-            if (votes > most) most = votes, level_vertex_ = level_id_[i];
-            left -= votes;
-        }
+        // The coordinate that most share, the first of these. All are held against all: fewer
+        // steps would be more branches that nobody foresees. What is not there equals nothing.
+        std::array<double, 8> x;
+        x.fill(kNothing);
+        for (std::size_t i = 0; i < level_count_; ++i) x[i] = values_[level_id_[i]][axis];
+        std::array<std::int64_t, 8> votes{};
+        for (std::size_t j = 0; j < kLevelStencil; ++j)
+            for (std::size_t i = 0; i < 8; ++i) votes[i] += x[i] == x[j];
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < kLevelStencil; ++i) best = votes[i] > votes[best] ? i : best;
+        const auto most = static_cast<std::uint32_t>(votes[best]);
         if (most < 2) return false;
+        level_vertex_ = level_id_[best];
         const double level = values_[level_vertex_][axis];
         const bool same = coder_.flag(
             ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration), most,
@@ -468,6 +467,8 @@ class PositionCodes {
         n.rest = near + static_cast<std::uint64_t>(r);
         return n.rest < one && (n.rest == 0 || !decimal || f.places + digits <= kMostPlaces);
     }
+
+    static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
     Coder& coder_;
     const PositionFormat format_;

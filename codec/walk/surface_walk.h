@@ -116,12 +116,12 @@ class SurfaceWalk {
         if (degree > limits_.corners - base || (gate != kNone && degree < 2)) return false;
         const Id cell = walked_.cell_count();
         walked_.gate.push_back(gate);
-        if (!walked_.fours) {
-            walked_.first.push_back(base + degree);
-            walked_.of.resize(base + degree, cell);
-        }
         corner_count_ = base + degree;
         if (corner_count_ > state_.size()) grow(corner_count_ + kAhead);
+        if (!walked_.fours) {
+            walked_.first.push_back(corner_count_);
+            for (Id f = base; f < corner_count_; ++f) walked_.of[f] = cell;
+        }
         const bool placed = gate == kNone ? place_seed(base, degree) : place(base, degree, gate);
         if (!placed || driver_.failed()) return false;
         for (Id f = base; f < base + degree; ++f) {
@@ -136,6 +136,7 @@ class SurfaceWalk {
 
     // Makes room for so many corners; the last room is given back by `run`.
     void grow(std::size_t corners) {
+        if (!walked_.fours) walked_.of.resize(corners, kNone);
         walked_.vertex.resize(corners, kNone);
         walked_.twin.resize(corners, kNone);
         next_.resize(corners, kNone);
