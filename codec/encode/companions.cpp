@@ -71,6 +71,11 @@ class Takers final : public MarkTruth {
         return false;
     }
 
+    void start_again() {
+        taken_.assign(taken_.size(), 0);
+        found_.clear();
+    }
+
     struct Found {
         Id block;
         Index cell;
@@ -163,20 +168,23 @@ CompanionCodes write_companions(StripMesh& strip, const Walked& walked, const Ed
         for (const Mark& mark : codes.marks())
             if (mark.facet != kNone) out.marked.push_back(mark.facet);
     };
-    // How many there are is known once all candidates were asked for.
-    {
-        for (std::size_t b = 0; b < marks.size(); ++b) {
-            const CompanionBlock& block = mesh.companions[b];
-            if (may_be_marks(block, mesh.kind)) marks[b] = {block.nodes_per_cell, block.cell_count};
-        }
-        FlagEncoder unused;
-        Takers trial(mesh);
-        code(unused, trial);
-        for (MarkBlock& block : marks) block.marks = 0;
-        for (const Takers::Found& f : trial.found()) ++marks[f.block].marks;
-    }
+    // How many there are is known once all candidates were asked for; mostly it is all.
     FlagEncoder bits;
+    Index wanted = 0;
+    for (std::size_t b = 0; b < marks.size(); ++b) {
+        const CompanionBlock& block = mesh.companions[b];
+        if (!may_be_marks(block, mesh.kind)) continue;
+        marks[b] = {block.nodes_per_cell, block.cell_count};
+        wanted += block.cell_count;
+    }
     code(bits, takers);
+    if (takers.found().size() < wanted) {
+        for (MarkBlock& block : marks) block.marks = 0;
+        for (const Takers::Found& f : takers.found()) ++marks[f.block].marks;
+        bits = {};
+        takers.start_again();
+        code(bits, takers);
+    }
     std::vector<bool> on_edges;
     for (const CompanionBlock& block : mesh.companions)
         on_edges.push_back(follows_from(edges, block));

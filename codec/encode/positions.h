@@ -22,6 +22,9 @@ struct PositionPlan {
 // grid can't bring within max_error, are outliers. Error: a grid finer than can be held.
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
 
+// The coordinates of a point, in units of its numbers; not of an outlier.
+Point3 units_of(const PositionPlan& plan, std::size_t point);
+
 // Places of all points, as the walk will see them; for lossless tets this chooses the integers that
 // stand for the floats.
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);

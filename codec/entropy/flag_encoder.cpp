@@ -49,60 +49,21 @@ class BitWriter {
     int held_ = 0;
 };
 
-// Truncated binary: the first `2^bits - size` values take bits - 1 bits, the others one more.
-void put_below(BitWriter& out, std::uint32_t value, std::uint32_t size) {
-    if (size <= 1) return;
-    const int bits = static_cast<int>(std::bit_width(size - 1));
-    const std::uint32_t brief = (std::uint32_t{1} << bits) - size;
-    if (value < brief)
-        out.put(value, bits - 1);
-    else
-        out.put(value + brief, bits);
-}
-
 }  // namespace
 
-Bytes FlagEncoder::finish() const {
-    // The runs of every class, in order: full runs, and runs cut short by a miss.
-    struct Runs {
-        std::vector<std::uint16_t> lengths;  // kRunOf for a full one
-        std::size_t next = 0;
-        std::uint32_t open = 0;  // flags as expected since the last run ended
-        std::uint32_t left = 0;  // while laying out: flags of the current run still to come
-    };
-    std::array<Runs, kFlagClasses> runs;
-    for (const std::uint8_t event : events_) {
-        const auto c = static_cast<std::size_t>(event >> 1);
-        if (c == kFlagClasses) continue;
-        Runs& r = runs[c];
-        if (event & 1) {
-            r.lengths.push_back(static_cast<std::uint16_t>(r.open));
-            r.open = 0;
-        } else if (++r.open == kRunOf[c]) {
-            r.lengths.push_back(kRunOf[c]);
-            r.open = 0;
-        }
-    }
-    for (std::size_t c = 0; c < runs.size(); ++c)
-        if (runs[c].open > 0) runs[c].lengths.push_back(kRunOf[c]);
+// `0` and the length in truncated binary: the first `2^bits - full` lengths take bits - 1 bits, the
+// others one more.
+FlagEncoder::Code FlagEncoder::cut_run(std::uint32_t length, std::uint32_t full) {
+    if (full <= 1) return {0, 1};
+    const auto bits = static_cast<std::uint8_t>(std::bit_width(full - 1));
+    const std::uint32_t brief = (std::uint32_t{1} << bits) - full;
+    if (length < brief) return {length, bits};
+    return {length + brief, static_cast<std::uint8_t>(bits + 1)};
+}
 
+Bytes FlagEncoder::finish() const {
     BitWriter out;
-    for (const std::uint8_t event : events_) {
-        const auto c = static_cast<std::size_t>(event >> 1);
-        if (c == kFlagClasses) {
-            out.put(event & 1, 1);
-            continue;
-        }
-        Runs& r = runs[c];
-        if (r.left == 0) {
-            const std::uint16_t length = r.lengths[r.next++];
-            const bool full = length == kRunOf[c];
-            out.put(full ? 1 : 0, 1);
-            if (!full) put_below(out, length, kRunOf[c]);
-            r.left = full ? kRunOf[c] : length + 1u;
-        }
-        --r.left;
-    }
+    for (const Code& code : codes_) out.put(code.value, code.bits);
     return out.take();
 }
 

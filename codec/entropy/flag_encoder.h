@@ -1,6 +1,7 @@
-// Collects flags and plain bits, then lays out the bit stream that FlagDecoder reads.
+// Lays flags and plain bits out as the bit stream that FlagDecoder reads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -11,29 +12,60 @@ namespace ravel {
 
 class FlagEncoder {
   public:
+    FlagEncoder() { open_.fill({kNone, 0}); }
+
     void flag(FlagModel& model, bool yes) {
-        const int c = model.flag_class();
+        const auto c = static_cast<std::size_t>(model.flag_class());
         ideal_bits_ += model.cost(yes);
-        events_.push_back(static_cast<std::uint8_t>(c << 1 | (yes != model.likely())));
+        Run& run = open_[c];
+        if (run.code == kNone) {
+            run = {codes_.size(), 0};
+            codes_.push_back({});
+        }
+        if (yes != model.likely())
+            close(run, cut_run(run.flags, kRunOf[c]));
+        else if (++run.flags == kRunOf[c])
+            close(run, {1, 1});
         model.update(yes);
     }
     // The `count` low bits of `value`, most significant first, as they are; count <= 64.
     void plain(std::uint64_t value, int count) {
         ideal_bits_ += count;
-        while (count-- > 0)
-            events_.push_back(
-                static_cast<std::uint8_t>(kFlagClasses << 1 | ((value >> count) & 1)));
+        for (; count > 0; count -= kMostBits) {
+            const int bits = count < kMostBits ? count : kMostBits;
+            const std::uint64_t part = value >> (count - bits);
+            codes_.push_back({static_cast<std::uint32_t>(part & ((1u << bits) - 1)),
+                              static_cast<std::uint8_t>(bits)});
+        }
     }
 
     // What an ideal coder would make of the same models, plain bits included. For reports only.
     double ideal_bits() const { return ideal_bits_; }
 
-    // One byte per flag is held until here. Linear.
+    // Runs that are not full yet are taken for full. Linear.
     Bytes finish() const;
 
   private:
+    static constexpr std::size_t kNone = ~std::size_t{0};
+    static constexpr int kMostBits = 24;  // of a code
+    // A run stands where its first flag does, and is known only after its last.
+    struct Code {
+        std::uint32_t value = 1;
+        std::uint8_t bits = 1;
+    };
+    struct Run {
+        std::size_t code;     // its place in `codes_`, or kNone
+        std::uint32_t flags;  // as expected, so far
+    };
+    static Code cut_run(std::uint32_t length, std::uint32_t full);
+    void close(Run& run, const Code& code) {
+        codes_[run.code] = code;
+        run = {kNone, 0};
+    }
+
     double ideal_bits_ = 0;
-    std::vector<std::uint8_t> events_;  // class << 1 | missed; class kFlagClasses for plain bits
+    std::vector<Code> codes_;
+    std::array<Run, kFlagClasses> open_;
 };
 
 }  // namespace ravel

@@ -185,6 +185,23 @@ class PositionCodes {
         return sane;
     }
 
+    // A vertex that both sides know already; for trials.
+    void skip(const Stencil& stencil, const Position& truth, bool outlier) {
+        if (format_.has_outliers) outliers_.push_back(outlier);
+        sizes_.begin(stencil);
+        sizes_.push_half();
+        if (courses_ && !outlier && stencil.configuration != Configuration::edge)
+            courses_->next(stencil, static_cast<Id>(values_.size()), kNone);
+        prior_ = kNone;
+        Point3 value{}, exact{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Scaled s = outlier ? Scaled{} : scaled_of(format_.numbers, truth[axis]);
+            value[axis] = s.units;
+            exact[axis] = s.exact;
+        }
+        add(value, exact);
+    }
+
     // A vertex at the place of an earlier one.
     void copy(Id of) {
         const Point3 value = values_[of];

@@ -1,0 +1,336 @@
+#include "encode/positions.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "encode/numbers.h"
+
+namespace ravel {
+namespace {
+
+double value_at(const Array& positions, std::size_t i) {
+    return positions.scalar == Scalar::f32 ? static_cast<double>(positions.as<float>()[i])
+                                           : positions.as<double>()[i];
+}
+
+std::uint64_t bits_at(const Array& positions, std::size_t i) {
+    return positions.scalar == Scalar::f32 ? std::uint64_t{positions.as<std::uint32_t>()[i]}
+                                           : positions.as<std::uint64_t>()[i];
+}
+
+struct Box {
+    std::array<double, 3> low{}, high{};
+    double longest = 0, farthest = 0;  // side; largest absolute coordinate
+};
+
+bool finite_point(const Array& positions, std::size_t p) {
+    return std::isfinite(value_at(positions, 3 * p)) &&
+           std::isfinite(value_at(positions, 3 * p + 1)) &&
+           std::isfinite(value_at(positions, 3 * p + 2));
+}
+
+Box box_of(const Array& positions, std::size_t points) {
+    Box box;
+    bool any = false;
+    for (std::size_t p = 0; p < points; ++p) {
+        if (!finite_point(positions, p)) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            box.low[axis] = any ? std::min(box.low[axis], x) : x;
+            box.high[axis] = any ? std::max(box.high[axis], x) : x;
+            box.farthest = std::max(box.farthest, std::abs(x));
+        }
+        any = true;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        box.longest = std::max(box.longest, box.high[axis] - box.low[axis]);
+    return box;
+}
+
+// The nearest float32 that is not below (above) x, where x has one near by; the head then stores it
+// in half the bytes. Both are at most one unit in the last place of a float32 away.
+double float32_above(double x) {
+    if (!(std::abs(x) < 1e30) || (x != 0 && std::abs(x) < 1e-30)) return x;
+    const auto f = static_cast<float>(x);
+    return static_cast<double>(static_cast<double>(f) >= x ? f : std::nextafter(f, INFINITY));
+}
+double float32_below(double x) {
+    return -float32_above(-x);
+}
+
+// The least power of two that is not below x.
+double power_above(double x) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    return fraction == 0.5 || fraction == 0 ? x : std::ldexp(1.0, exponent);
+}
+// x rounded down to ten bits.
+double few_bits_below(double x) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    return std::ldexp(std::floor(std::ldexp(fraction, 10)), exponent - 10);
+}
+
+// The box of all points but for a few that would make it hundreds of times as large: they are left
+// to be outliers.
+Box robust_box(const Array& positions, std::size_t points) {
+    constexpr std::size_t kFewest = 20;  // points among which one may be let go
+    constexpr double kMuch = 256;
+    Box box = box_of(positions, points);
+    if (points < kFewest) return box;
+    std::vector<double> values;
+    Box core;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        values.clear();
+        for (std::size_t p = 0; p < points; ++p)
+            if (finite_point(positions, p)) values.push_back(value_at(positions, 3 * p + axis));
+        if (values.size() < kFewest) return box;
+        const std::size_t spare = values.size() / 200 + 1;
+        const auto low = values.begin() + static_cast<std::ptrdiff_t>(spare);
+        const auto high = values.end() - static_cast<std::ptrdiff_t>(spare + 1);
+        std::nth_element(values.begin(), low, values.end());
+        core.low[axis] = *low;
+        std::nth_element(low, high, values.end());
+        core.high[axis] = *high;
+        core.longest = std::max(core.longest, core.high[axis] - core.low[axis]);
+    }
+    if (!(box.longest > kMuch * core.longest) || core.longest == 0) return box;
+    // What is as near as the core is large belongs to it.
+    Box kept;
+    bool any = false;
+    for (std::size_t p = 0; p < points; ++p) {
+        bool near = finite_point(positions, p);
+        for (std::size_t axis = 0; axis < 3 && near; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            near = x >= core.low[axis] - core.longest && x <= core.high[axis] + core.longest;
+        }
+        if (!near) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            kept.low[axis] = any ? std::min(kept.low[axis], x) : x;
+            kept.high[axis] = any ? std::max(kept.high[axis], x) : x;
+            kept.farthest = std::max(kept.farthest, std::abs(x));
+        }
+        any = true;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        kept.longest = std::max(kept.longest, kept.high[axis] - kept.low[axis]);
+    return kept;
+}
+
+bool lies_on(const Array& positions, const Box& box, double step) {
+    for (std::size_t p = 0; p < positions.count(); ++p)
+        for (std::size_t axis = 0; axis < 3 && finite_point(positions, p); ++axis) {
+            const double q = (value_at(positions, 3 * p + axis) - box.low[axis]) / step;
+            if (std::abs(q - std::floor(q + 0.5)) > 1.0 / 64) return false;
+        }
+    return true;
+}
+
+// 2^bits steps along the longest side; a mesh that was on such a grid before, its first and last
+// points half a step off the ends, gets the same step again, so that its points stay where they
+// are.
+double step_over(const Array& positions, const Box& box, int bits) {
+    if (!std::isfinite(box.longest)) return 1;
+    const double cells = std::ldexp(1.0, bits);
+    for (const double other : {cells + 1, cells - 1}) {
+        if (bits < 8 || box.longest > 1e30) break;
+        const auto step = static_cast<double>(static_cast<float>(box.longest / other));
+        if (step > 0 && lies_on(positions, box, step)) return step;
+    }
+    return float32_above(box.longest / cells);
+}
+
+// How many coordinates have a mirror image about `centre`, to an eighth of a step.
+std::size_t mirrored_about(double centre, const std::vector<double>& sorted, double step) {
+    std::size_t count = 0;
+    for (std::size_t i = 0, j = sorted.size(); i < j;) {
+        const double sum = (sorted[i] - centre) + (sorted[j - 1] - centre);
+        const bool match = std::abs(sum) < step / 8;
+        count += match;
+        if (match || sum < 0) ++i;
+        if (match || !(sum < 0)) --j;
+    }
+    return count;
+}
+
+// Where the grid starts on an axis: what is mirrored about zero, or about the middle of the box, is
+// mirrored on the grid too. A number of few digits, unless that would widen the grid.
+double origin_on(const Array& positions, const Box& box, std::size_t axis, double step) {
+    const double low = box.low[axis], high = box.high[axis];
+    const double middle = low + (high - low) / 2;
+    double origin = std::abs(low / step) < 0x1p40 ? std::floor(low / step) * step : low;
+    if (std::abs(middle) > step / 64 && std::isfinite(middle)) {
+        std::vector<double> sorted;
+        for (std::size_t p = 0; p < positions.count(); ++p) {
+            const double x = value_at(positions, 3 * p + axis);
+            if (x >= low && x <= high) sorted.push_back(x);
+        }
+        std::sort(sorted.begin(), sorted.end());
+        if (mirrored_about(middle, sorted, step) > mirrored_about(0, sorted, step))
+            origin = middle - std::ceil((middle - low) * 2 / step) * step / 2;
+    }
+    if (!std::isfinite(origin)) return low;
+    const double near = float32_below(origin);
+    return origin - near < step / 16 ? near : origin;
+}
+
+// The grid number of a coordinate. On a lattice the nearest multiple of the step is found first, so
+// that it does not depend on the origin.
+double grid_number(const PositionPlan& plan, std::size_t axis, double x, bool lattice) {
+    const double step = plan.grid.step, origin = plan.grid.origin[axis];
+    return lattice ? std::floor(x / step + 0.5) - origin / step
+                   : std::floor((x - origin) / step + 0.5);
+}
+
+// Puts every point on the grid; those that miss `bound`, or lie out of its box, become outliers.
+void place_on_grid(const Array& positions, const Box& box, bool lattice, PositionPlan& plan) {
+    const std::size_t points = positions.count();
+    plan.error = 0;
+    std::size_t outliers = 0;
+    for (std::size_t p = 0; p < points; ++p) {
+        bool fits = finite_point(positions, p);
+        double error = 0;
+        for (std::size_t axis = 0; axis < 3 && fits; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            const double q = grid_number(plan, axis, x, lattice);
+            fits = std::abs(q) < static_cast<double>(kMostGrid) && x >= box.low[axis] &&
+                   x <= box.high[axis];
+            if (!fits) break;
+            plan.values[p][axis] = {static_cast<std::int64_t>(q), 0, 0, false};
+            error = std::max(error,
+                             std::abs(coordinate_of(plan.grid, axis, static_cast<std::int64_t>(q),
+                                                    positions.scalar) -
+                                      x));
+        }
+        fits = fits && error <= plan.bound;
+        plan.outlier[p] = !fits;
+        if (fits) {
+            plan.error = std::max(plan.error, error);
+        } else {
+            ++outliers;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                plan.values[p][axis] = {0, bits_at(positions, 3 * p + axis), 0, false};
+        }
+    }
+    plan.format.has_outliers = outliers > 0;
+}
+
+// Lossless: every coordinate as a number, or its point bit for bit.
+void place_exactly(const Array& positions, PositionPlan& plan) {
+    plan.format.numbers = choose_numbers(positions);
+    plan.outlier.assign(positions.count(), false);
+    for (std::size_t p = 0; p < positions.count(); ++p) {
+        for (std::size_t axis = 0; axis < 3 && !plan.outlier[p]; ++axis) {
+            const std::optional<Number> n =
+                number_of(plan.format.numbers, value_at(positions, 3 * p + axis), positions.scalar);
+            plan.outlier[p] = !n;
+            if (n) plan.values[p][axis] = *n;
+        }
+        if (!plan.outlier[p]) continue;
+        plan.format.has_outliers = true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            plan.values[p][axis] = {0, bits_at(positions, 3 * p + axis), 0, false};
+    }
+    if (!plan.format.has_outliers) plan.outlier.clear();
+}
+}  // namespace
+
+Point3 units_of(const PositionPlan& plan, std::size_t p) {
+    Point3 units;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        units[axis] = scaled_of(plan.format.numbers, plan.values[p][axis]).units;
+    return units;
+}
+
+Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options) {
+    const Array& positions = mesh.positions;
+    const std::size_t points = positions.count();
+    PositionPlan plan;
+    plan.format.narrow = positions.scalar == Scalar::f32;
+    plan.values.resize(points);
+    if (!options.position_bits && !options.max_error && !options.max_error_relative &&
+        !options.lattice) {
+        place_exactly(positions, plan);
+        return plan;
+    }
+    plan.outlier.assign(points, false);
+    const Box box = robust_box(positions, points);
+    const double longest = std::isfinite(box.longest) ? box.longest : 0;
+    // What rounding to the mesh's floats may add to an error.
+    const double spacing =
+        std::ldexp(power_above(box.farthest / 4), plan.format.narrow ? -22 : -51);
+    Grid& grid = plan.grid;
+    if (options.position_bits) {
+        grid.step = step_over(positions, box, *options.position_bits);
+    } else if (options.lattice) {
+        grid.step = *options.lattice;
+    } else {
+        plan.bound = options.max_error.value_or(0);
+        if (options.max_error_relative) {
+            double square = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                square += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
+            plan.bound = few_bits_below(*options.max_error_relative * std::sqrt(square));
+            if (!(plan.bound > 0) || !std::isfinite(plan.bound)) plan.bound = 1;
+        }
+        grid.step = float32_below(2 * plan.bound);
+    }
+    if (!(grid.step > 0)) grid.step = 1;
+    if (options.position_bits || options.lattice)
+        plan.bound = float32_above(grid.step / 2 + 2 * spacing);
+    if (longest / grid.step >= static_cast<double>(kMostGrid) ||
+        (options.lattice && box.farthest / grid.step >= 0x1p52))
+        return Error{Code::bad_option, 0,
+                     "the largest error (or the lattice) asked for is too small for a grid over "
+                     "this mesh; leave it out to store positions exactly"};
+    const auto place = [&] {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            grid.origin[axis] = options.lattice ? std::floor(box.low[axis] / grid.step) * grid.step
+                                                : origin_on(positions, box, axis, grid.step);
+        place_on_grid(positions, box, options.lattice.has_value(), plan);
+    };
+    place();
+    if (plan.format.has_outliers && (options.max_error || options.max_error_relative)) {
+        // Rounding pushed some over the bound; a slightly finer grid has room for it.
+        grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
+        place();
+    }
+    plan.bits = options.position_bits
+                    ? static_cast<std::uint8_t>(*options.position_bits)
+                    : static_cast<std::uint8_t>(std::bit_width(
+                          static_cast<std::uint64_t>(std::ceil(longest / grid.step))));
+    if (!plan.format.has_outliers) plan.outlier.clear();
+    plan.error = std::min(float32_above(plan.error), plan.bound);
+    return plan;
+}
+
+std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
+    const std::size_t points = mesh.positions.count();
+    std::vector<Point3> places(points);
+    Point3 low{}, high{};
+    bool any = false;
+    for (std::size_t p = 0; p < points; ++p) {
+        if (!plan.outlier.empty() && plan.outlier[p]) continue;
+        places[p] = units_of(plan, p);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = any ? std::min(low[axis], places[p][axis]) : places[p][axis];
+            high[axis] = any ? std::max(high[axis], places[p][axis]) : places[p][axis];
+        }
+        any = true;
+    }
+    plan.format.has_stand_ins = mesh.kind == CellKind::tet && !plan.format.grid();
+    if (!plan.format.has_stand_ins) return places;
+    double longest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        longest = std::max(longest, high[axis] - low[axis]);
+    plan.format.place_origin = low;
+    const double scale = 0x1p16 / longest;
+    plan.format.place_scale = std::isfinite(scale) && scale > 0 ? scale : 1;
+    for (Point3& place : places) place = place_of(plan.format, place);
+    return places;
+}
+
+}  // namespace ravel
