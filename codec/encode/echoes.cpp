@@ -1,6 +1,7 @@
 #include "encode/echoes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace ravel {
@@ -38,19 +39,29 @@ Echo echo_along(std::size_t axis, bool mirrored, double offset) {
     return echo;
 }
 
+// Of large meshes about so many points are looked at; all or none of a row.
+constexpr std::size_t kPlaces = 65536;
+std::uint64_t row_of(const Point3& turned) {
+    std::uint64_t hash = std::bit_cast<std::uint64_t>(turned[0]) * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ hash >> 29 ^ std::bit_cast<std::uint64_t>(turned[1])) * 0xBF58476D1CE4E5B9u;
+    return hash >> 32;
+}
+
 }  // namespace
 
 Echoes find_echoes(const std::vector<Point3>& places, bool may_move) {
     Echoes echoes;
-    std::vector<Point3> turned(places.size());  // the axis in question last
+    std::vector<Point3> turned;  // the axis in question last
     std::vector<double> sums, steps;
-    const std::size_t fewest = std::max<std::size_t>(8, places.size() / 24);
-    std::size_t twice = 0;  // points on an earlier one
+    const std::uint64_t share = places.size() / kPlaces + 1;
+    std::size_t twice = 0, fewest = 8;  // twice: points on an earlier one
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const Point3& p = places[i];
-            turned[i] = {p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis]};
+        turned.clear();
+        for (const Point3& p : places) {
+            const Point3 t{p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis]};
+            if (share == 1 || row_of(t) % share == 0) turned.push_back(t);
         }
+        fewest = std::max<std::size_t>(8, turned.size() / 24);
         std::sort(turned.begin(), turned.end());
         sums.clear();
         steps.clear();
