@@ -124,12 +124,12 @@ struct Course {
     std::size_t size() const { return vertices() + unused.size(); }
 };
 
-// `coded(i)`: is the i-th to be coded, or only to be known to those that are?
+// The first `size`. `coded(i)`: is the i-th to be coded, or only to be known to those that are?
 template <class Coder, class Coded>
-void code_course(Coder& coder, const Course& course, const Coded& coded) {
+void code_course(Coder& coder, const Course& course, std::size_t size, const Coded& coded) {
     PositionCodes<Coder> codes(coder, course.plan.format, course.size());
-    codes.reserve(course.size());
-    for (std::size_t i = 0; i < course.size(); ++i) {
+    codes.reserve(size);
+    for (std::size_t i = 0; i < size; ++i) {
         const bool used = i < course.vertices();
         if (used && course.record.copy_of[i] != kNone) {
             codes.copy(course.record.copy_of[i]);
@@ -153,25 +153,26 @@ Bytes write_head_and_bits(const Course& course) {
     out.raw(head_of(course.plan.format));
     FlagEncoder bits;
     WritingCoder coder{bits};
-    code_course(coder, course, [](std::size_t) { return true; });
+    code_course(coder, course, course.size(), [](std::size_t) { return true; });
     out.raw(bits.finish());
     return out.take();
 }
 
-// About how many bytes that would make. Of large meshes a stretch of vertices in each four is
-// looked at.
+// About how many bytes that would make. Of large meshes a stretch of vertices in each three is
+// looked at, of very large ones only as far as kMost.
 double try_out(const Course& course) {
-    constexpr std::size_t kStretch = 256, kAll = 32 * kStretch;
-    const std::size_t size = course.size();
-    const bool all = size <= kAll;
+    constexpr std::size_t kStretch = 256, kAll = 8192, kMost = 131072;
+    const std::size_t size = std::min(course.size(), kMost);
+    const bool all = course.size() <= kAll;
     std::size_t count = 0;
     CountingCoder coder;
-    code_course(coder, course, [&](std::size_t i) {
+    code_course(coder, course, size, [&](std::size_t i) {
         const bool coded = all || i / kStretch % 3 == 0;
         count += coded;
         return coded;
     });
-    const double share = count == 0 ? 1 : static_cast<double>(size) / static_cast<double>(count);
+    const double share =
+        count == 0 ? 1 : static_cast<double>(course.size()) / static_cast<double>(count);
     return static_cast<double>(head_of(course.plan.format).size()) +
            coder.bits / 8 * (all ? 1 : share);
 }
