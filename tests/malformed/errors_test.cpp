@@ -69,6 +69,30 @@ TEST_CASE("links other than there are are corrupt where the strip is read, and o
     }
 }
 
+TEST_CASE("a kept order of 2^30 companions is corrupt, whatever each of them weighs") {
+    EncodeOptions ordered;
+    ordered.keep_order = true;
+    const test::Victim v = test::victim("tiny:quad", ordered);
+    const Bytes with_block = test::with_section(
+        test::with_block_head(v.file, v.kind, [](BlockHead& block) { block.companions = 1; }),
+        SectionId::companions, [](Bytes& raw) {
+            ByteWriter out;
+            out.varint(1);
+            out.varint(7);  // polygons of no nodes
+            out.varint(0);
+            out.varint(std::uint64_t{1} << 30);
+            out.u8(0);
+            raw = out.take();
+        });
+    const Bytes bad = test::with_section(with_block, SectionId::order, [](Bytes& raw) {
+        raw.insert(raw.begin() + 1, std::byte{0});
+    });
+    const auto decoded = decode(bad);
+    REQUIRE_FALSE(decoded.ok());
+    CHECK(decoded.error().code == Code::corrupt);
+    CHECK(decoded.error().detail.find("order") != std::string::npos);
+}
+
 TEST_CASE("decode refuses bytes after the last section") {
     Bytes bytes = test::victim("tiny:cube").file;
     bytes.push_back(std::byte{0});

@@ -1,4 +1,4 @@
-// Rows 47 to 53 and 56 to 58 of chapter 14: what rides along.
+// Rows 47 to 53 and 56 to 58 of chapter 14, and one of row 13: what rides along.
 #include "encode/bits_writer.h"
 #include "predict/numbering_codes.h"
 #include "spec/invalid_maker.h"
@@ -110,6 +110,7 @@ void InvalidMaker::companions() {
                            std::vector<std::int64_t> deltas) {
         add(row, name, says, with_companions(quads(), {{head}, std::move(deltas), {}}));
     };
+    block(13, "more-companions", "a byte too many", {1, 1, 1, 0}, {0, 0});
     add(47, "count", "one companion block more than there are",
         block_changed("companions", CellKind::tet, [](BlockHead& b) { ++b.companions; }));
     block(47, "type", "vtk_type is 65536", {65536, 1, 1, 0}, {0});
