@@ -3,12 +3,14 @@
 #include <bit>
 #include <cmath>
 
+#include "base/float32.h"
+
 namespace ravel {
 namespace {
 
 // Doubles of a grid are stored as float32 where that is all they are.
 bool fits_float32(double x) {
-    return static_cast<double>(static_cast<float>(x)) == x;
+    return to_float32(x) == x;
 }
 
 void put(ByteWriter& out, double x, bool narrow) {

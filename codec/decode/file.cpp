@@ -28,6 +28,8 @@ Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& 
                      "this is not a ravel file (its first bytes are not \"Rav1\")"};
     ByteReader in(bytes);
     in.raw(kMagic.size());
+    if (in.left() == 0)
+        return Error{Code::truncated, kMagic.size(), "the file ends before its format version"};
     const std::uint8_t version = in.u8();
     if (version != kVersion)
         return Error{Code::unsupported_version, kMagic.size(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/float32.h"
 #include "predict/octahedron.h"
 
 namespace ravel {
@@ -18,7 +19,7 @@ void set_value(Array& values, std::size_t i, double x) {
         values.as<double>()[i] = x;
 }
 double stored(double x, Scalar scalar) {
-    return scalar == Scalar::f32 ? static_cast<double>(static_cast<float>(x)) : x;
+    return scalar == Scalar::f32 ? to_float32(x) : x;
 }
 
 struct Range {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "base/float32.h"
 #include "encode/bits_writer.h"
 #include "encode/numbers.h"
 #include "entropy/pack.h"
@@ -81,9 +82,7 @@ void find_directions(const Array& values, FieldFormat& format, FieldTruth& truth
         const Point3 again = octahedral_direction(numbers, format.octahedral);
         for (std::size_t k = 0; k < 2; ++k) truth.whole[3 * t + k] = numbers[k];
         for (std::size_t k = 0; k < 3; ++k) {
-            const double x = values.scalar == Scalar::f32
-                                 ? static_cast<double>(static_cast<float>(again[k]))
-                                 : again[k];
+            const double x = values.scalar == Scalar::f32 ? to_float32(again[k]) : again[k];
             if (x != given[k] || std::signbit(x) != std::signbit(given[k]))
                 truth.outlier[t] = format.has_outliers = true;
         }

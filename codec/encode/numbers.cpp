@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/float32.h"
+
 namespace ravel {
 namespace {
 
@@ -182,7 +184,7 @@ std::optional<Number> number_of(const NumberFormat& format, double x, Scalar sca
                                         : binary_number(format, x);
     if (!n) return {};
     double again = scaled_of(format, *n).exact;
-    if (scalar == Scalar::f32) again = static_cast<double>(static_cast<float>(again));
+    if (scalar == Scalar::f32) again = to_float32(again);
     if (again != x || std::signbit(again) != std::signbit(x)) return {};
     if (!format.has_minus_zero && x == 0 && std::signbit(x)) return {};
     return n;

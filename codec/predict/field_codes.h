@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "base/float32.h"
 #include "predict/attribute_contexts.h"
 #include "predict/float_image.h"
 #include "predict/linear_guess.h"
@@ -43,7 +44,7 @@ struct FieldTruth {
 // scalar. The encoder measures its errors with it.
 inline double grid_value(double step, std::int64_t whole, Scalar scalar) {
     const double x = step * static_cast<double>(whole);
-    return scalar == Scalar::f32 ? static_cast<double>(static_cast<float>(x)) : x;
+    return scalar == Scalar::f32 ? to_float32(x) : x;
 }
 
 inline std::uint64_t load_bits(const std::byte* from, std::size_t size) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/float32.h"
 #include "ravel/mesh.h"
 
 namespace ravel {
@@ -24,7 +25,7 @@ static_assert(FLT_EVAL_METHOD == 0);
 
 inline double coordinate_of(const Grid& grid, std::size_t axis, std::int64_t q, Scalar scalar) {
     const double x = grid.origin[axis] + grid.step * static_cast<double>(q);
-    return scalar == Scalar::f32 ? static_cast<double>(static_cast<float>(x)) : x;
+    return scalar == Scalar::f32 ? to_float32(x) : x;
 }
 
 // Grid coordinates stay below this, so that predictions can't overflow.

@@ -13,7 +13,7 @@ import container
 import guesses
 from coin_stream import CoinStream, coin, varint, zigzag
 from conventions import NONE, crc32c, width
-from edges import Edges
+from edges import edges_of
 from errors import Invalid
 from positions import BINARY, DECIMAL, GRID, Positions
 from strip import read_strip
@@ -154,10 +154,11 @@ def make_file(seed, rides=False):
     random.seed(seed)
     head, head_bytes = make_head(rides and coin(0.5))
     p, positions_bytes = make_positions_head(head)
-    H = random.choice((16, 64, 256))
+    edge_points = head.tets and coin(0.4)
+    H = random.choice((64, 256) if edge_points else (16, 64, 256))
     block = SimpleNamespace(
-        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3), edge_points=False,
-        cells=2**31, corners=2**31, vertices=H, unused_points=0, uniform_degree=4)
+        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),
+        edge_points=edge_points, cells=2**31, corners=2**31, vertices=H, unused_points=0, uniform_degree=4)
     if head.tets:
         block.grid_side = random.choice((1, 2, 5, 30, 1000, 2**52))
         block.grid_count = [random.choice((1, 2, 3, 4)) for _ in range(3)]
@@ -167,17 +168,18 @@ def make_file(seed, rides=False):
     positions_stream = CoinStream("positions", {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "outlier": 0.1})
     positions = CoinPositions(head, block, p, positions_stream)
     walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)
-    walk.most_cells = random.choice((1, 5, 5 + H // 4))
+    # each tet brings some edges, whose points are to fit into H too
+    walk.most_cells = random.choice((1, 5, H // 8 if edge_points else 5 + H // 4))
     try:
         walk.run()
+        block.vertices = walk.vertex_count
+        walk.edges = edges_of(block, walk)
         # enough points for H to be that of the file
         least = 0 if H == 16 else H // 2 + 1 - walk.vertex_count
-        unused_points = max(least, random.choice((0, 0, 1, 4)))
+        unused_points = max(least, random.choice((0, 0, 1, 4)) + len(walk.edges.ends))
         if walk.vertex_count + unused_points > H:
             return None
-        block.vertices = walk.vertex_count
         block.unused_points = unused_points
-        walk.edges = Edges()
         positions.read_unused_points(walk.edges)
     except (Endless, Invalid):
         return None
@@ -186,7 +188,7 @@ def make_file(seed, rides=False):
     riding = coins_riding.make_some(head, block, walk) if rides else coins_riding.nothing()
     if not riding:
         return None
-    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
+    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3 | block.edge_points << 5
     fields = [block.cells]
     if not head.tets:
         fields += [block.uniform_degree] if block.uniform_degree else [0, len(walk.vertex)]

@@ -39,7 +39,7 @@ def make(head, block, walk):
     riding = nothing()
     marked_facets = []
     # 10
-    count = random.choice((0, 0, 1, 2, 3))
+    count = random.choice((1, 1, 2, 3) if block.edge_points else (0, 0, 1, 2, 3))
     if count and mesh.points:
         block.companions = riding.companions = count
         heads = make_companions(count, block, mesh)
@@ -64,12 +64,13 @@ def make(head, block, walk):
     if head.keeps_order:
         cells_first = coin(0.3)
         cells_by = 0 if cells_first or coin(0.6) else random.randrange(1, 4)
-        told = cells_first | cells_by << 4
+        edges_by = random.randrange(4) if walk.edges.ends else 0
+        told = cells_first | cells_by << 4 | edges_by << 6
         if not cells_first:
             told |= coin(0.5) << 1 | coin(0.5) << 2
         if not cells_by:
             told |= coin(0.5) << 3
-        heads = bytes([told] + [random.randrange(4) for _ in mesh.companions])
+        heads = bytes([told] + [random.randrange(5 if b.hosts else 4) for b in mesh.companions])
         section = read(heads, lambda data, streams: [CoinOrder(data, shape, mesh, elements, streams)][:0], {})[-1]
         riding.sections[container.ORDER] = section
     return riding
@@ -98,7 +99,10 @@ class CoinOrder(Order):
 def make_companions(count, block, mesh):
     heads = b""
     bodies = b""
-    for _ in range(count):
+    for i in range(count):
+        if i == 0 and block.edge_points and coin(0.8):
+            heads += varint(companions.QUADRATIC_TET) + varint(6) + varint(block.cells) + b"\3"
+            continue
         type, n = random.choice(TYPES)
         kind = random.choice((0, 0, 0, 0, 1, 2, 2, 2, 2)) if block.cells else 0
         marks = random.choice((1, 1, 2, 4)) if kind == 2 and 1 <= n <= 3 else 0

@@ -17,6 +17,8 @@ def read_sections(data):
     """3, 3.1: the unpacked bytes of each section by id."""
     if data[:4] != b"Rav1":
         raise Invalid("not_a_ravel_file", "no magic")
+    if len(data) == 4:
+        raise Invalid("truncated", "no version")
     if data[4:5] != b"\x01":
         raise Invalid("unsupported_version", "version is not 1")
     file = Bytes(data, "truncated", 5)

@@ -4,7 +4,7 @@ polygons:hex,size=9x9 polygons:mixed,size=20x20 polygons:cap,size=30 polygons:mi
 tets:box=4 tets:box=4,five,jitter=0.3 tets:ball=4,double tets:shell=8 tets:box=3,copies=3,shuffle,attributes,companions"
 for recipe in $recipes $(ravel make --list | sed -n 's/^tiny:NAME *//p' | sed 's/\(^\| \)/ tiny:/g'); do
     ending=vtu
-    ravel -q make "$recipe" -o mesh.$ending || { echo "make $recipe: $?"; continue; }
+    ravel -q make "$recipe" -o mesh.$ending -f || { echo "make $recipe: $?"; continue; }
     for options in "" "--position-bits 11" "--keep-order"; do
         ravel verify mesh.$ending $options --json >report 2>why
         code=$?

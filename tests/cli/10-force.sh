@@ -10,4 +10,7 @@ ravel decode cut.ravel -o out.obj --force; echo $?; cat out.obj
 ravel -q decode out.ravel -o out.obj --force; echo $?; grep -c '^f ' out.obj
 echo precious >strip.vtk
 ravel strip cube.obj -o strip.vtk; echo $?; cat strip.vtk
+echo precious >mesh.obj
+ravel make tiny:cube -o mesh.obj; echo $?; cat mesh.obj
+ravel -q make tiny:cube -o mesh.obj --force; echo $?; cmp cube.obj mesh.obj
 ls -A

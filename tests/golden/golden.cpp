@@ -4,6 +4,7 @@
 //   ravel_golden --files    with the hash of the whole file, which zstd's version may change
 #include <zstd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "make/make_mesh.h"
 #include "ravel/ravel.h"
 #include "support/file_parts.h"
+#include "support/quadratic_tets.h"
 
 namespace {
 
@@ -134,38 +136,78 @@ constexpr const char* kRecipes[] = {"tiny:empty",
                                     "torus:quads=20000,bumps=0.2,seed=1",
                                     "tets:box=14,jitter=0.3,seed=5"};
 
-int print_rows(bool files) {
-    for (const char* recipe : kRecipes) {
-        const auto mesh = make::make_mesh(recipe);
+// Points of edges, which are guessed and rounded in their own way.
+constexpr const char* kQuadratic[] = {"tets:ball=5,jitter=0.2,seed=2", "tets:box=5,shuffle"};
+
+// Attributes within a bound, and directions of length 1.
+constexpr const char* kBounded[] = {"polygons:mixed,size=20x20,attributes",
+                                    "tets:box=4,shuffle,attributes,companions"};
+
+void add_directions(Mesh& mesh) {
+    Attribute& a = mesh.attributes.emplace_back();
+    a.name = "direction";
+    a.place = Place::point;
+    a.values = make_array(Scalar::f32, 3, mesh.point_count());
+    for (Index p = 0; p < mesh.point_count(); ++p) {
+        const double x = static_cast<double>(p % 31) - 15, y = static_cast<double>(p % 17) - 8;
+        const double length = std::sqrt(x * x + y * y + 9);
+        a.values.as<float>()[3 * p] = static_cast<float>(x / length);
+        a.values.as<float>()[3 * p + 1] = static_cast<float>(y / length);
+        a.values.as<float>()[3 * p + 2] = static_cast<float>(-3 / length);
+    }
+}
+
+std::vector<Row> bounded_rows() {
+    std::vector<Row> rows = option_rows();
+    rows.resize(3);
+    AttributeOptions bits, error, octahedral;
+    bits.name = "temperature", bits.bits = 12;
+    error.name = "velocity", error.max_error = 0.01;
+    octahedral.name = "direction", octahedral.octahedral = 10;
+    for (Row& row : rows) row.options.attributes = {bits, error, octahedral};
+    return rows;
+}
+
+int print_row(const std::string& name, const Mesh& mesh, const Row& row, bool files) {
+    const auto packed = encode(mesh, row.options);
+    if (!packed) {  // a refusal is the same everywhere too
+        std::printf("%s | %s | %s\n", name.c_str(), row.name, name_of(packed.error().code));
+        return 0;
+    }
+    const auto parts = test::take_apart(packed->bytes);
+    const auto decoded = decode(packed->bytes);
+    if (!parts || !decoded) {
+        std::fprintf(stderr, "%s %s: does not come back\n", name.c_str(), row.name);
+        return 1;
+    }
+    Hash sections, file;
+    for (const test::FilePart& part : *parts) {
+        sections.add(static_cast<std::uint64_t>(part.id));
+        sections.add(part.raw.size());
+        sections.add(part.raw);
+    }
+    file.add(packed->bytes);
+    std::printf("%s | %s | %016llx | %016llx", name.c_str(), row.name,
+                static_cast<unsigned long long>(sections.value()),
+                static_cast<unsigned long long>(hash_of(*decoded)));
+    if (files) std::printf(" | %016llx", static_cast<unsigned long long>(file.value()));
+    std::printf("\n");
+    return 0;
+}
+
+// `change` makes of the recipe's mesh what is packed, and is told by `suffix`.
+template <class Change>
+int print_rows(std::span<const char* const> recipes, const char* suffix,
+               const std::vector<Row>& rows, bool files, const Change& change) {
+    for (const char* recipe : recipes) {
+        auto mesh = make::make_mesh(recipe);
         if (!mesh) {
             std::fprintf(stderr, "%s: %s\n", recipe, mesh.error().detail.c_str());
             return 1;
         }
-        for (const Row& row : option_rows()) {
-            const auto packed = encode(*mesh, row.options);
-            if (!packed) {  // a refusal is the same everywhere too
-                std::printf("%s | %s | %s\n", recipe, row.name, name_of(packed.error().code));
-                continue;
-            }
-            const auto parts = test::take_apart(packed->bytes);
-            const auto decoded = decode(packed->bytes);
-            if (!parts || !decoded) {
-                std::fprintf(stderr, "%s %s: does not come back\n", recipe, row.name);
-                return 1;
-            }
-            Hash sections, file;
-            for (const test::FilePart& part : *parts) {
-                sections.add(static_cast<std::uint64_t>(part.id));
-                sections.add(part.raw.size());
-                sections.add(part.raw);
-            }
-            file.add(packed->bytes);
-            std::printf("%s | %s | %016llx | %016llx", recipe, row.name,
-                        static_cast<unsigned long long>(sections.value()),
-                        static_cast<unsigned long long>(hash_of(*decoded)));
-            if (files) std::printf(" | %016llx", static_cast<unsigned long long>(file.value()));
-            std::printf("\n");
-        }
+        change(*mesh);
+        for (const Row& row : rows)
+            if (print_row(std::string(recipe) + suffix, *mesh, row, files) != 0) return 1;
     }
     return 0;
 }
@@ -176,5 +218,9 @@ int main(int count, char** words) {
     const bool files = count == 2 && std::string_view(words[1]) == "--files";
     std::printf("# recipe | options | sections before zstd | decoded mesh; zstd %s, level 3\n",
                 ZSTD_versionString());
-    return print_rows(files);
+    const int failed = print_rows(kRecipes, "", option_rows(), files, [](Mesh&) {}) +
+                       print_rows(kQuadratic, ", quadratic", option_rows(), files,
+                                  [](Mesh& mesh) { mesh = test::with_edge_nodes(mesh, 5); }) +
+                       print_rows(kBounded, ", bounded", bounded_rows(), files, add_directions);
+    return failed == 0 ? 0 : 1;
 }

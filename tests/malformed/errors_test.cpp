@@ -6,6 +6,7 @@
 #include "base/checksum.h"
 #include "container/sections.h"
 #include "entropy/pack.h"
+#include "support/same_mesh.h"
 
 using namespace ravel;
 using test::code_of;
@@ -25,6 +26,16 @@ TEST_CASE("another version is unsupported, and the error says which") {
     CHECK(decode(bytes).error().detail.find("77") != std::string::npos);
 }
 
+TEST_CASE("a file that ends behind its magic is truncated there") {
+    Bytes bytes = test::victim("tiny:cube").file;
+    bytes.resize(kMagic.size());
+    const auto decoded = decode(bytes);
+    REQUIRE_FALSE(decoded.ok());
+    CHECK(decoded.error().code == Code::truncated);
+    CHECK(decoded.error().at == kMagic.size());
+    CHECK(inspect(bytes).error().code == Code::truncated);
+}
+
 TEST_CASE("a file without its last byte is truncated, at the place where it ends") {
     Bytes bytes = test::victim("tiny:cube").file;
     bytes.pop_back();
@@ -42,6 +53,44 @@ TEST_CASE("a damaged section is a checksum mismatch, and the error names it") {
     CHECK(decode(bad).error().detail.find("names") != std::string::npos);
     // Headers can still be read.
     CHECK(inspect(bad).ok());
+}
+
+TEST_CASE("links other than there are are corrupt where the strip is read, and only there") {
+    for (const char* recipe : {"torus:size=12x12", "tets:box=3"}) {
+        const test::Victim v = test::victim(recipe);
+        for (const std::uint64_t more : {std::uint64_t{1}, std::uint64_t{3}}) {
+            const Bytes bad = test::with_block_head(v.file, v.kind,
+                                                    [&](BlockHead& block) { block.links += more; });
+            CHECK(code_of(bad) == Code::corrupt);
+            const auto decoded = decode(bad);
+            REQUIRE(decoded.ok());
+            CHECK(test::difference(decoded->mesh, decode(v.file)->mesh).empty());
+        }
+    }
+}
+
+TEST_CASE("a kept order of 2^30 companions is corrupt, whatever each of them weighs") {
+    EncodeOptions ordered;
+    ordered.keep_order = true;
+    const test::Victim v = test::victim("tiny:quad", ordered);
+    const Bytes with_block = test::with_section(
+        test::with_block_head(v.file, v.kind, [](BlockHead& block) { block.companions = 1; }),
+        SectionId::companions, [](Bytes& raw) {
+            ByteWriter out;
+            out.varint(1);
+            out.varint(7);  // polygons of no nodes
+            out.varint(0);
+            out.varint(std::uint64_t{1} << 30);
+            out.u8(0);
+            raw = out.take();
+        });
+    const Bytes bad = test::with_section(with_block, SectionId::order, [](Bytes& raw) {
+        raw.insert(raw.begin() + 1, std::byte{0});
+    });
+    const auto decoded = decode(bad);
+    REQUIRE_FALSE(decoded.ok());
+    CHECK(decoded.error().code == Code::corrupt);
+    CHECK(decoded.error().detail.find("order") != std::string::npos);
 }
 
 TEST_CASE("decode refuses bytes after the last section") {

@@ -60,7 +60,7 @@ void InvalidMaker::container() {
     file[4] = byte(0);
     add(2, "version-0", "version 0", file, Code::unsupported_version);
     file.resize(4);
-    add(2, "no-version", "nothing behind the magic", file, Code::unsupported_version);
+    add(3, "no-version", "nothing behind the magic", file, Code::truncated);
     file = quads();
     file.pop_back();
     add(3, "no-end", "the byte 0 is missing", file, Code::truncated);

@@ -20,7 +20,9 @@ std::vector<InvalidFile> invalid_files() {
     maker.counts();
     maker.walks();
     maker.positions();
-    maker.riders();
+    maker.companions();
+    maker.attributes();
+    maker.orders();
     return maker.take();
 }
 

@@ -1,4 +1,4 @@
-// Rows 14 to 28 of chapter 14, and those from 47 on.
+// Rows 14 to 28, 54 and 55 of chapter 14.
 #include <cmath>
 #include <limits>
 
@@ -41,6 +41,15 @@ void InvalidMaker::heads() {
     attribute(18, "scalar", "a reference by f32", [](AttributeHead& a) {
         a.references = {{0, Place::point, 0}};
     });
+    const auto bound = [&](const char* name, const char* says, auto change) {
+        attribute(55, name, says, [&](AttributeHead& a) { a.bound = a.error = 1, change(a); });
+    };
+    bound("bound", "bound is infinite", [](AttributeHead& a) { a.bound = HUGE_VAL; });
+    bound("error", "error is above bound", [](AttributeHead& a) { a.error = 2; });
+    add(55, "integers", "a bound of integers", head_changed("attributes", [](Head& h) {
+            for (AttributeHead& a : h.attributes)
+                if (!is_float(a.scalar)) a.bound = 1;
+        }));
     add(19, "flags", "bit 6 of flags", flags("two-quads", SectionId::block, 64));
     add(19, "edge-points", "edge_points with polygons", flags("two-quads", SectionId::block, 32));
     add(19, "mirrored", "mirrored with polygons", flags("two-quads", SectionId::block, 8));
@@ -89,33 +98,6 @@ void InvalidMaker::counts() {
     block(28, "links", "one link more than there are", [](BlockHead& b) { ++b.links; });
     add(54, "memory", "for a reader that may take 1000 bytes", valid("torus"),
         Code::limit_exceeded);
-}
-
-void InvalidMaker::riders() {
-    add(47, "count", "one companion block more than there are",
-        block_changed("companions", CellKind::tet, [](BlockHead& b) { ++b.companions; }));
-    add(58, "points", "more edges than points",
-        block_changed("two-tets", CellKind::tet, [](BlockHead& b) { b.has_edge_points = true; }));
-    add(58, "kind", "nodes on edges without edge_points",
-        block_changed("edge-points", CellKind::tet,
-                      [](BlockHead& b) { b.has_edge_points = false; }));
-    const auto on_edges = [&](const char* name, const char* says, std::size_t at, unsigned value) {
-        add(58, name, says, raw_changed("edge-points", SectionId::companions, [=](Bytes& raw) {
-                raw[at] = byte(value);
-            }));
-    };
-    on_edges("type", "vtk_type is 5", 1, 5);
-    on_edges("nodes", "nodes_per_cell is 3", 2, 3);
-    on_edges("cells", "one cell less than tets", 3, 11);
-    add(49, "tuples", "one tuple more than points",
-        head_changed("attributes", [](Head& h) { ++h.attributes[0].tuples; }));
-    const auto names = [&](const char* name, const char* says, auto change) {
-        add(51, name, says, raw_changed("attributes", SectionId::names, change));
-    };
-    names("count", "name_count is 100", [](Bytes& raw) { raw[0] = byte(100); });
-    names("dimension", "dimension is 4", [](Bytes& raw) { raw[8] = byte(8); });
-    add(52, "kind", "an order of no known kind",
-        raw_changed("order", SectionId::order, [](Bytes& raw) { raw[0] = byte(255); }));
 }
 
 }  // namespace ravel::test

@@ -23,7 +23,9 @@ class InvalidMaker {
     void counts();
     void walks();
     void positions();
-    void riders();
+    void companions();
+    void attributes();
+    void orders();
     std::vector<InvalidFile> take() { return std::move(made_); }
 
   private:

@@ -11,7 +11,7 @@ namespace {
 
 struct Options {
     std::string recipe, output, to;
-    bool list = false, binary = false;
+    bool list = false, force = false, binary = false;
 };
 
 ExitCode list() {
@@ -28,14 +28,15 @@ ExitCode run(const Options& options) {
         say("make needs a RECIPE and -o MESH, or --list");
         return ExitCode::usage;
     }
+    if (Status status = may_write(options.output, options.force); !status)
+        return complain("", status.error());
     auto mesh = make::make_mesh(options.recipe);
     if (!mesh) return complain("", mesh.error());
     io::WriteOptions format;
     format.binary = options.binary;
     std::vector<std::string> left_out;
-    // A made mesh can be made again, so it may be overwritten.
     if (Status status =
-            write_mesh_output(*mesh, options.output, options.to, format, true, &left_out);
+            write_mesh_output(*mesh, options.output, options.to, format, options.force, &left_out);
         !status)
         return complain(options.output, status.error());
     remark_each(options.output, left_out);
@@ -52,6 +53,7 @@ void add_make(CLI::App& app, Action& action) {
         app.add_subcommand("make", "Make a mesh from a recipe, the same on every machine");
     verb->add_option("RECIPE", options->recipe, "E.g. torus:quads=10000,seed=1");
     verb->add_option("-o,--output", options->output, "The mesh; its ending tells the format");
+    verb->add_flag("-f,--force", options->force, "Overwrite the output");
     verb->add_option("--to", options->to, "Format of a mesh that goes to stdout")
         ->type_name("ENDING");
     verb->add_flag("--binary", options->binary, "The binary kind of formats that have both");

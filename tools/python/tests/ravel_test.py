@@ -33,7 +33,7 @@ def path_of(name):
 
 def made(recipe, ending):
     mesh = path_of("made." + ending)
-    subprocess.run([TOOL, "-q", "make", recipe, "-o", mesh], check=True)
+    subprocess.run([TOOL, "-q", "make", recipe, "-o", mesh, "--force"], check=True)
     subprocess.run([TOOL, "-q", "encode", mesh, "-o", path_of("made.ravel"), "--force"], check=True)
     return mesh, path_of("made.ravel")
 

@@ -36,7 +36,7 @@ export function make_files(ravel, folder, corpus) {
         const mesh = path.join(folder, `mesh${i}.msh`);
         // Attributes on corners have no place in MSH.
         const kept = recipe.includes('tet') ? mesh : mesh.replace('.msh', '.ply');
-        run('make', recipe, '-o', kept);
+        run('make', recipe, '-o', kept, '--force');
         OPTIONS.forEach((options, k) => encode(kept, `${recipe.replace(/[:,=]/g, '-')}-${k}`, options));
     });
     if (corpus && fs.existsSync(corpus)) {

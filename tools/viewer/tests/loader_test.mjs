@@ -14,7 +14,7 @@ const { decode } = await from_dist('ravel-decoder.mjs');
 
 function make(recipe, ending = 'ply') {
     const mesh = path.join(folder, `loader.${ending}`);
-    execFileSync(ravel, ['-q', 'make', recipe, '-o', mesh]);
+    execFileSync(ravel, ['-q', 'make', recipe, '-o', mesh, '--force']);
     return pack(mesh);
 }
 function pack(mesh, ...options) {

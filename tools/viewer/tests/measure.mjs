@@ -28,7 +28,7 @@ function output_bytes(value) {
 const ratios = [];
 for (const recipe of ['terrain:size=400x400', 'tets:box=28x28x28,jitter=0.2']) {
     const name = path.join(folder, recipe.split(':')[0]);
-    execFileSync(ravel, ['-q', 'make', recipe, '-o', `${name}.vtk`]);
+    execFileSync(ravel, ['-q', 'make', recipe, '-o', `${name}.vtk`, '--force']);
     execFileSync(ravel, ['-q', 'encode', `${name}.vtk`, '-o', `${name}.ravel`, '--force', '--position-bits', '14']);
     const bytes = fs.readFileSync(`${name}.ravel`);
     // Time of the processor, by turns, for other programs share the machine.

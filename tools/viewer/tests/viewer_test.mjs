@@ -16,7 +16,7 @@ const run = (...words) => execFileSync(ravel, ['-q', ...words], { stdio: ['ignor
 
 function make(name, recipe, ending, ...options) {
     const mesh = path.join(folder, `${name}.${ending}`);
-    run('make', recipe, '-o', mesh);
+    run('make', recipe, '-o', mesh, '--force');
     run('encode', mesh, '-o', path.join(folder, `${name}.ravel`), '--force', ...options);
     return path.join(folder, `${name}.ravel`);
 }
