@@ -207,14 +207,14 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
         return bad("the counts of a block contradict each other");
     if (kind == CellKind::tet) {
         b.grid_side = in.varint();
-        // The grid has at most so many cubes that it is small beside the vertices.
-        std::uint64_t cubes = 1;
+        // So few that the grid is no larger than what else is kept of the vertices.
+        std::uint64_t left = most_grid_blocks(b.vertices);
         for (std::uint32_t& n : b.grid_count) {
             const std::uint64_t count = in.varint();
-            if (count == 0 || count > 0xFFFFFFFFu || count > most_cubes(b.vertices) / cubes)
+            if (count == 0 || count > 0xFFFFFFFFu || grid_blocks_of(count) > left)
                 return bad("a grid of too many cubes");
             n = static_cast<std::uint32_t>(count);
-            cubes *= count;
+            left /= grid_blocks_of(count);
         }
         if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52)
             return bad("a grid of impossible cubes");

@@ -56,9 +56,12 @@ struct BlockHead {
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
 };
 
-// Cubes of the vertex grid of a block with so many vertices.
-inline std::uint64_t most_cubes(Index vertices) {
-    return 8 * vertices + 64;
+// The vertex grid has its cubes in blocks of 4 x 4 x 4, so many of a block with so many vertices.
+inline std::uint64_t most_grid_blocks(Index vertices) {
+    return vertices / 4 + 64;
+}
+inline std::uint64_t grid_blocks_of(std::uint64_t cubes) {
+    return (cubes + 3) / 4;
 }
 
 Bytes write_head(const Head& head);

@@ -36,29 +36,26 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
             for (std::size_t axis = 0; axis < 3; ++axis)
                 high[axis] = std::max(high[axis], p[i][axis]);
         }
-        const double volume =
-            dot(cross(minus(p[1], p[0]), minus(p[2], p[0])), minus(p[3], p[0]));
+        const double volume = dot(cross(minus(p[1], p[0]), minus(p[2], p[0])), minus(p[3], p[0]));
         positive += volume > 0;
         negative += volume < 0;
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 const Point3 edge = minus(p[i], p[j]);
-                length += static_cast<std::uint64_t>(
-                    std::min(std::sqrt(dot(edge, edge)), 0x1p30));
+                length += static_cast<std::uint64_t>(std::min(std::sqrt(dot(edge, edge)), 0x1p30));
                 ++edges;
             }
     }
     block.mirrored = negative > positive;
-    double side =
-        edges == 0 ? 1 : std::max<double>(1, static_cast<double>(length / edges / 2));
+    double side = edges == 0 ? 1 : std::max<double>(1, static_cast<double>(length / edges / 2));
     for (;; side = std::floor(side * 1.25) + 1) {
-        std::uint64_t cubes = 1;
+        std::uint64_t blocks = 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double count = std::floor(high[axis] / side) + 1;
             block.grid_count[axis] = static_cast<std::uint32_t>(std::min(count, 1048576.0));
-            cubes *= block.grid_count[axis];
+            blocks *= grid_blocks_of(block.grid_count[axis]);
         }
-        if (cubes <= most_cubes(block.vertices)) break;
+        if (blocks <= most_grid_blocks(block.vertices)) break;
     }
     block.grid_side = static_cast<Index>(side);
 }

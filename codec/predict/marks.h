@@ -67,7 +67,7 @@ class MarkCodes {
     // Of lines (or facets) so far at a point.
     struct Ends {
         std::uint8_t facets = 0, lines = 0;  // facets: of this pass
-        std::int8_t flow = 0;  // lines that end here less those that start
+        std::int8_t flow = 0;                // lines that end here less those that start
         bool border = false;
     };
 
@@ -280,8 +280,8 @@ class MarkCodes {
     Id last_block_ = 0;
     bool last_turn_ = false, sane_ = true;
     std::vector<Mark> marks_;
-    std::size_t first_of_pass_ = 0;  // of the facets' marks
-    bool inside_ = false;            // the pass: facets that are no border
+    std::size_t first_of_pass_ = 0;     // of the facets' marks
+    bool inside_ = false;               // the pass: facets that are no border
     std::vector<std::uint8_t> marked_;  // per facet of the earlier cell
     std::vector<Ends> ends_;            // per point that a cell has
 };

@@ -193,7 +193,7 @@ class TetFront {
         old.swap(table_);
         std::size_t size = std::max<std::size_t>(64, old.size());
         for (bool fits = false; !fits; crowded = true) {
-            if (size < 4 * (live_ + 16) || (crowded && size < 16 * live_))
+            if (size < 3 * (live_ + 16) || (crowded && size < 8 * live_))
                 size *= 2;
             else
                 change_ += crowded;
@@ -211,7 +211,7 @@ class TetFront {
     };
 
     std::vector<Triangle> triangles_;
-    Id free_ = kNone;        // first of the list of free places, linked by mate[0]
+    Id free_ = kNone;           // first of the list of free places, linked by mate[0]
     std::vector<Place> table_;  // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
     std::uint64_t change_ = 0;

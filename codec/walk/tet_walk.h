@@ -61,7 +61,7 @@ class TetWalk {
         }
     };
     static constexpr std::size_t kMostLooked = 1500;  // vertices of a search
-    static constexpr std::size_t kAhead = 1024;  // corners
+    static constexpr std::size_t kAhead = 1024;       // corners
 
     bool wind_component() {
         return wind(

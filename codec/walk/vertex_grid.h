@@ -63,13 +63,16 @@ class VertexGrid {
         };
         if (blocks(0) * blocks(1) * blocks(2) > kMostBlocks) return;
         for (std::size_t z = low[2] >> 2; z <= high[2] >> 2; ++z) {
-            const std::uint64_t in_z = kLayers << 16 * first(low[2], z) & kLayers >> 16 * rest(high[2], z);
+            const std::uint64_t in_z =
+                kLayers << 16 * first(low[2], z) & kLayers >> 16 * rest(high[2], z);
             for (std::size_t y = low[1] >> 2; y <= high[1] >> 2; ++y) {
-                const std::uint64_t rows = kRows << 4 * first(low[1], y) & kRows >> 4 * rest(high[1], y) & kRows;
+                const std::uint64_t rows =
+                    kRows << 4 * first(low[1], y) & kRows >> 4 * rest(high[1], y) & kRows;
                 const std::uint64_t in_y = in_z & (rows & 0xFFFF) * 0x0001000100010001u;
                 const Block* row = blocks_.data() + z * layer_ + y * row_;
                 for (std::size_t x = low[0] >> 2; x <= high[0] >> 2; ++x) {
-                    const std::uint64_t steps = std::uint64_t{15} << first(low[0], x) & std::uint64_t{15} >> rest(high[0], x);
+                    const std::uint64_t steps = std::uint64_t{15} << first(low[0], x) &
+                                                std::uint64_t{15} >> rest(high[0], x);
                     std::uint64_t cubes = row[x].filled & in_y & steps * 0x1111111111111111u;
                     for (; cubes != 0; cubes &= cubes - 1) {
                         Id v = row[x].head[static_cast<std::size_t>(std::countr_zero(cubes))];
@@ -103,7 +106,9 @@ class VertexGrid {
 
     // The first step of a range within block b, and how many after the last.
     static unsigned first(std::uint32_t low, std::size_t b) { return low >> 2 == b ? low & 3 : 0; }
-    static unsigned rest(std::uint32_t high, std::size_t b) { return high >> 2 == b ? 3 - (high & 3) : 0; }
+    static unsigned rest(std::uint32_t high, std::size_t b) {
+        return high >> 2 == b ? 3 - (high & 3) : 0;
+    }
 
     std::uint32_t step(double x, std::size_t axis) const {
         const double i = x * scale_;

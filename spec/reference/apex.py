@@ -6,7 +6,7 @@ from spheres import Spheres
 from walk import BORDER
 
 MOST = 12
-HEIGHT_BOUNDS = (-0.25, 0.0, 0.04, 0.12, 0.25, 0.45, 0.8, 1.4, 2.5, 5.0, 12.0, 60.0)
+HEIGHT_BOUNDS = (-0.5, 0.0, 0.2, 0.35, 0.5, 0.67, 0.9, 1.2, 1.6, 2.2, 3.5, 7.7)
 
 
 class Candidate:
@@ -30,23 +30,16 @@ class Apex:
         self.corners = corners
         self.spheres = Spheres(*(walk.place(v) for v in corners), walk.block.mirrored)
         self.list = []
-        self.worth = 0 if self.spheres.flat else self.spheres.height_at(1) / 32
+        self.worth = 0 if self.spheres.flat else self.spheres.unit / 32
 
     def rank(self, c):
         if c.above():
             return c.height - self.worth * c.times
         return 1e300 / (1 + c.times)
 
-    def offer(self, c):
-        list = self.list
-        if len(list) == MOST:
-            if not self.rank(c) < self.rank(list[-1]):
-                return
-            list.pop()
-        at = len(list)
-        while at > 0 and self.rank(c) < self.rank(list[at - 1]):
-            at -= 1
-        list.insert(at, c)
+    def put_in_order(self):
+        """By rank; sort keeps what is equal in the order it came."""
+        self.list.sort(key=self.rank)
 
     def find(self, v):
         return next((c for c in self.list if c.vertex == v), None)
@@ -66,18 +59,17 @@ class Apex:
             if walk.open_count[v] == 0 or v in self.corners:
                 continue
             c = self.find(v)
-            if c:
-                list.remove(c)
-            else:
+            if not c:
                 c = Candidate(v, None if spheres.flat else spheres.height(walk.place(v)), True)
+                list.append(c)
             c.times += 1
             if not beyond:
                 c.fan = max(c.fan, walk.fan[3 * self.gate + e])
                 c.beyond_border = False
-            self.offer(c)
         # 2
         if not spheres.flat:
-            self.offer_near()
+            self.find_near()
+        self.put_in_order()
         # 3
         h = 13
         t = 0
@@ -92,6 +84,7 @@ class Apex:
         if walk.flag("kNew", h, t, borders, self.second_class()):
             return "fresh", NONE
         # 5
+        del list[MOST:]
         for i in range(1, len(list)):
             c = list[i]
             if walk.flag("kNext", i - 1, c.times, c.above()):
@@ -101,7 +94,7 @@ class Apex:
             rank = walk.number("kNearRank")
             far = []
             if not spheres.flat:
-                for v, height in self.search(spheres.height_at(100)):
+                for v, height in self.search(3 * spheres.unit):
                     if not self.find(v):
                         far.append((height, v))
             require(rank < 64 and rank < len(far), "apex by rank that is not there")
@@ -117,39 +110,31 @@ class Apex:
     def height_class(self, c):
         if not c.above():
             return 13
-        rho = self.spheres.relative(c.height)
-        n = 0
-        while n < 12 and HEIGHT_BOUNDS[n] < rho:
-            n += 1
-        return n
+        m = c.height / self.spheres.unit
+        return sum(m > bound for bound in HEIGHT_BOUNDS)
 
     def gap_class(self):
         list = self.list
         if not list[0].above() or len(list) < 2 or not list[1].above():
             return 3
-        g = (list[1].height - list[0].height) / self.spheres.height_at(1)
+        g = (list[1].height - list[0].height) / self.spheres.unit
         return 0 if g < 0.03 else 1 if g < 0.12 else 2 if g < 0.35 else 3
 
     def second_class(self):
         list = self.list
         if len(list) < 2 or not list[1].above():
             return 5
-        rho = self.spheres.relative(list[1].height)
-        return 0 if rho < 0.12 else 1 if rho < 0.45 else 2 if rho < 1.4 else 3 if rho < 5 else 4
+        m = list[1].height / self.spheres.unit
+        return 0 if m < 0.35 else 1 if m < 0.67 else 2 if m < 1.2 else 3 if m < 2.2 else 4
 
     # 7.4
 
-    def offer_near(self):
-        for r in (0.3, 1.2, 4.0):
-            h = self.spheres.height_at(r)
-            first = self.list[0] if self.list else None
-            last = first is not None and first.above() and first.height <= h
-            if last:
-                h = first.height
-            found = False
-            for v, height in self.search(h):
-                if not self.find(v):
-                    self.offer(Candidate(v, height, False))
-                    found = True
-            if last or found:
+    def find_near(self):
+        lowest = min((c.height for c in self.list if c.above()), default=1e300)
+        for multiple in (1.0, 2.0):
+            h = min(multiple * self.spheres.unit, lowest)
+            found = [(v, height) for v, height in self.search(h) if not self.find(v)]
+            for v, height in found:
+                self.list.append(Candidate(v, height, False))
+            if found or h == lowest:
                 break

@@ -161,7 +161,7 @@ def make_file(seed, rides=False):
         edge_points=edge_points, cells=2**31, corners=2**31, vertices=H, unused_points=0, uniform_degree=4)
     if head.tets:
         block.grid_side = random.choice((1, 2, 5, 30, 1000, 2**52))
-        block.grid_count = [random.choice((1, 2, 3, 4)) for _ in range(3)]
+        block.grid_count = [random.choice((1, 2, 4, 5, 13)) for _ in range(3)]
     else:
         block.uniform_degree = random.choice((0, 0, 0, 0, 2, 3, 4, 5, 11))
     stream = CoinStream("tet" if head.tets else "surface", {})
@@ -222,7 +222,7 @@ def damage(data):
 
 
 def whole_file(sections):
-    return b"Rav1\x01" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
+    return b"Rav1\x02" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
 
 
 def section(id, data):

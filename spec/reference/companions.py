@@ -135,43 +135,47 @@ class Marks:
     def facets(self):
         shape = self.shape
         marks = {}  # facet: reversed, block
-        touched_points = set()
-        for f in range(len(shape.vertex)):
-            if self.left == 0:
-                return
-            if not shape.is_earlier(f):
-                continue
-            nodes = [shape.point(c) for c in shape.outward(f)]
-            touched = sum(p in touched_points for p in nodes)
-            marked = unmarked = flat = block = 0
-            found = reversed = False
-            if shape.twin[f] == NONE or touched > 1:
-                for s in (f, shape.twin[f]):
-                    if s == NONE:
-                        continue
-                    for turn in shape.turns(s):
-                        for g in turn:
-                            t = shape.twin[g]
-                            h = g if t == NONE else min(g, t)
-                            if h >= f:
-                                continue
-                            if h not in marks:
-                                unmarked += t == NONE
-                                continue
-                            marked += 1
-                            e = flatness(shape.normal(s), shape.normal(g))
-                            if e > flat:
-                                flat = e
-                                found = True
-                                block = marks[h][1]
-                                reversed = marks[h][0] ^ (g != h) ^ (s != f)
-                            break
-            context = "mark_facet", shape.twin[f] == NONE, marked, unmarked, flat
-            is_mark, reversed, block = self.candidate(nodes, context, found, reversed, block)
-            if is_mark:
-                marks[f] = reversed, block
-                touched_points.update(nodes)
-                self.marked_facets.append(f)
+        for border in (True, False):
+            touched_points = set()
+            for f in range(len(shape.vertex)):
+                if self.left == 0:
+                    return
+                if shape.is_earlier(f) and (shape.twin[f] == NONE) == border:
+                    self.facet(f, border, marks, touched_points)
+
+    def facet(self, f, border, marks, touched_points):
+        shape = self.shape
+        nodes = [shape.point(c) for c in shape.outward(f)]
+        touched = sum(p in touched_points for p in nodes)
+        marked = unmarked = flat = block = 0
+        found = reversed = False
+        if border or touched > 1:
+            for s in (f, shape.twin[f]):
+                if s == NONE:
+                    continue
+                for turn in shape.turns(s):
+                    for g in turn:
+                        t = shape.twin[g]
+                        h = g if t == NONE else min(g, t)
+                        if h >= f and (border or t != NONE):
+                            continue
+                        if h not in marks:
+                            unmarked += t == NONE
+                            continue
+                        marked += 1
+                        e = flatness(shape.normal(s), shape.normal(g))
+                        if e > flat:
+                            flat = e
+                            found = True
+                            block = marks[h][1]
+                            reversed = marks[h][0] ^ (g != h) ^ (s != f)
+                        break
+        context = "mark_facet", border, marked, unmarked, flat
+        is_mark, reversed, block = self.candidate(nodes, context, found, reversed, block)
+        if is_mark:
+            marks[f] = reversed, block
+            touched_points.update(nodes)
+            self.marked_facets.append(f)
 
     def sides(self):
         shape = self.shape

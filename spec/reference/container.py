@@ -19,8 +19,8 @@ def read_sections(data):
         raise Invalid("not_a_ravel_file", "no magic")
     if len(data) == 4:
         raise Invalid("truncated", "no version")
-    if data[4:5] != b"\x01":
-        raise Invalid("unsupported_version", "version is not 1")
+    if data[4:5] != b"\x02":
+        raise Invalid("unsupported_version", "version is not 2")
     file = Bytes(data, "truncated", 5)
     sections = {}
     last = 0
@@ -179,7 +179,8 @@ def read_block(data, tets):
         require(1 <= b.grid_side <= 2**52, "grid_side")
         b.grid_count = [bytes.varint() for _ in range(3)]
         require(all(1 <= n < 2**32 for n in b.grid_count), "grid_count")
-        require(math.prod(b.grid_count) <= 4 * b.vertices + 64, "grid_count: too many cubes")
+        blocks = math.prod((n + 3) // 4 for n in b.grid_count)
+        require(blocks <= b.vertices // 4 + 64, "grid_count: too many blocks of cubes")
     bytes.end()
     return b
 

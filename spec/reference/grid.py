@@ -2,10 +2,6 @@
 
 import math
 
-from conventions import dot, minus
-
-LEVELS = 5
-
 
 class Grid:
     def __init__(self, block):
@@ -20,46 +16,46 @@ class Grid:
             return 0
         return int(i) if i < m else int(m)
 
-    def keys(self, place):
-        cube = [self.step(place[axis], axis) for axis in range(3)]
-        return [(l, cube[0] >> l, cube[1] >> l, cube[2] >> l) for l in range(LEVELS)]
+    def cube(self, place):
+        return tuple(self.step(place[axis], axis) for axis in range(3))
 
     def insert(self, v, place):
-        for key in self.keys(place):
-            self.cubes.setdefault(key, []).insert(0, v)
+        self.cubes.setdefault(self.cube(place), []).insert(0, v)
 
     def remove(self, v, place):
-        for key in self.keys(place):
-            self.cubes[key].remove(v)
+        self.cubes[self.cube(place)].remove(v)
 
     def search(self, spheres, h, place, corners):
         """Yields the vertex and the height of all that are found."""
         centre = spheres.centre_at(h)
         radius = spheres.radius_at(h)
-        square = radius * radius * 1.000001
         # 1
-        l = 0
-        reach = 1.5 * self.side
-        while l < LEVELS - 1 and radius > reach:
-            l += 1
-            reach = reach * 2
-        # 2
-        low = [self.step(centre[axis] - radius, axis) >> l for axis in range(3)]
-        high = [self.step(centre[axis] + radius, axis) >> l for axis in range(3)]
-        if math.prod(high[axis] - low[axis] + 1 for axis in range(3)) > 512:
+        low = [self.step(centre[axis] - radius, axis) for axis in range(3)]
+        high = [self.step(centre[axis] + radius, axis) for axis in range(3)]
+        if math.prod(high[axis] // 4 - low[axis] // 4 + 1 for axis in range(3)) > 512:
             return
-        # 3
+        # 2
         looked = 0
-        for z in range(low[2], high[2] + 1):
-            for y in range(low[1], high[1] + 1):
-                for x in range(low[0], high[0] + 1):
-                    for v in self.cubes.get((l, x, y, z), ()):
-                        looked += 1
-                        if looked > 1500:
-                            return
-                        way = minus(place(v), centre)
-                        if dot(way, way) > square:
-                            continue
-                        height = spheres.height(place(v))
-                        if height is not None and height <= h and v not in corners:
-                            yield v, height
+        for cube in self.in_order(low, high):
+            for v in self.cubes.get(cube, ()):
+                if looked == 1500:
+                    return
+                looked += 1
+                d, e = spheres.lift(place(v))
+                if d > 0 and e <= (2 * h) * d and v not in corners:
+                    yield v, e / (2 * d)
+
+    def in_order(self, low, high):
+        """Block by block."""
+
+        def within(block, axis):
+            return range(max(low[axis], 4 * block), min(high[axis], 4 * block + 3) + 1)
+
+        x_blocks, y_blocks, z_blocks = (range(low[a] // 4, high[a] // 4 + 1) for a in range(3))
+        for bz in z_blocks:
+            for by in y_blocks:
+                for bx in x_blocks:
+                    for z in within(bz, 2):
+                        for y in within(by, 1):
+                            for x in within(bx, 0):
+                                yield x, y, z

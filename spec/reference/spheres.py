@@ -23,20 +23,18 @@ class Spheres:
         self.C = tuple((uu * vn[i] + vv * nu[i]) / (2 * self.S) for i in range(3))
         self.R = dot(self.C, self.C)
         self.flat = not self.R > 0
+        if not self.flat:
+            self.unit = math.sqrt(self.R / self.S)
+
+    def lift(self, p):
+        """d and e of p."""
+        q = minus(p, self.a)
+        return dot(self.normal, q), dot(q, q) - 2 * dot(q, self.C)
 
     def height(self, p):
         """The height of p; None where p is not above."""
-        q = minus(p, self.a)
-        d = dot(self.normal, q)
-        if not d > 0:
-            return None
-        return (dot(q, q) - 2 * dot(q, self.C)) / (2 * d)
-
-    def relative(self, h):
-        return h * abs(h) * self.S / self.R
-
-    def height_at(self, r):
-        return math.sqrt(r * self.R / self.S)
+        d, e = self.lift(p)
+        return e / (2 * d) if d > 0 else None
 
     def centre_at(self, h):
         return tuple(self.a[i] + self.C[i] + h * self.normal[i] for i in range(3))

@@ -136,7 +136,7 @@ TEST_CASE("a file of some hundred bytes can't take more than a few megabytes") {
               huge_claim(CellKind::tet,
                          [&](BlockHead& b) {
                              b.cells = n / 4, b.vertices = b.points = n / 4,
-                             b.grid_count = {1, 1, static_cast<std::uint32_t>(n / 2)};
+                             b.grid_count = {1, 1, static_cast<std::uint32_t>(n / 4)};
                          }),
               huge_claim(CellKind::polygon, [&](BlockHead& b) { b.companions = n; })}) {
             REQUIRE(file.size() < 160);

@@ -72,8 +72,8 @@ void InvalidMaker::counts() {
     };
     grid("side", "grid_side is 0", [](BlockHead& b) { b.grid_side = 0; });
     grid("none", "a grid_count is 0", [](BlockHead& b) { b.grid_count[1] = 0; });
-    grid("many", "84 is the most cubes of 5 vertices", [](BlockHead& b) {
-        b.grid_count = {5, 17, 1};
+    grid("many", "65 is the most blocks of cubes of 5 vertices", [](BlockHead& b) {
+        b.grid_count = {261, 1, 1};
     });
     block(22, "cells", "a million cells", [](BlockHead& b) { b.cells = 1000000; });
     add(23, "connectivity", "connectivity is empty",

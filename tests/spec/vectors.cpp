@@ -40,8 +40,9 @@ std::string text_of(const Bytes& bytes) {
 }
 
 bool same_sections(const Bytes& a, const Bytes& b) {
+    constexpr std::size_t kVersionAt = 4;
     const auto x = test::take_apart(a), y = test::take_apart(b);
-    if (!x || !y || x->size() != y->size()) return false;
+    if (!x || !y || x->size() != y->size() || a[kVersionAt] != b[kVersionAt]) return false;
     for (std::size_t i = 0; i < x->size(); ++i)
         if ((*x)[i].id != (*y)[i].id || (*x)[i].raw != (*y)[i].raw) return false;
     return true;
