@@ -180,7 +180,7 @@ double try_out(const Course& course) {
 }  // namespace
 
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
-                      const std::vector<Index>& unused, const EdgePoints& edges) {
+                      const std::vector<Index>& unused, const EdgePoints& edges, bool fast) {
     const std::size_t vertices = record.vertex_of.size();
     std::vector<Point3> places(vertices), firm;  // firm: no copies, no outliers
     std::vector<bool> skip(vertices, false);
@@ -194,10 +194,12 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored);
 
+    const Course course{plan, complex, record, unused, edges};
+    if (fast) return write_head_and_bits(course);
+
     // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes
     // the bytes fewer, of large meshes by a hundredth at least.
     constexpr std::size_t kSmall = 6000;
-    const Course course{plan, complex, record, unused, edges};
     PositionFormat kept = plan.format;
     double best = -1;  // not known yet
     const auto offer = [&] {

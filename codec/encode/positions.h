@@ -30,7 +30,8 @@ Point3 units_of(const PositionPlan& plan, std::size_t point);
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);
 
 // `unused`: unused points, in the order they are appended, those of edges first.
+// `fast`: nothing is tried out.
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
-                      const std::vector<Index>& unused, const EdgePoints& edges);
+                      const std::vector<Index>& unused, const EdgePoints& edges, bool fast);
 
 }  // namespace ravel

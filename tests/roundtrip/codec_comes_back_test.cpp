@@ -10,12 +10,14 @@
 namespace {
 
 std::vector<ravel::EncodeOptions> option_rows() {
-    std::vector<ravel::EncodeOptions> rows(5);
+    std::vector<ravel::EncodeOptions> rows(6);
     rows[1].position_bits = 10;
     rows[2].keep_order = true;
     rows[3].max_error = 0.01;
     rows[4].strip_budget = 0;
     rows[4].float32 = true;
+    rows[5].position_bits = 12;
+    rows[5].fast = true;
     for (ravel::EncodeOptions& row : rows) row.level = 3;
     return rows;
 }

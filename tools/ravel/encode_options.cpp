@@ -139,7 +139,7 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                       ->check(CLI::Range(1, 22))
                       ->type_name("L")
                       ->group("Effort");
-    verb.add_flag("--fast", flags.fast, "Less effort: the same as --level 3 in this version")
+    verb.add_flag("--fast", flags.fast, "Faster to make and to decode: parts, mirrors and planes are not looked for; zstd's level 3")
         ->excludes(level)
         ->group("Effort");
 }
@@ -155,6 +155,7 @@ EncodeOptions options_of(const EncodeFlags& flags) {
     options.attributes = flags.attributes;
     if (flags.strip_budget >= 0) options.strip_budget = flags.strip_budget;
     if (flags.level > 0) options.level = flags.level;
+    options.fast = flags.fast;
     if (flags.fast) options.level = kFastLevel;
     return options;
 }

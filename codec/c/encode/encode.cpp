@@ -54,6 +54,7 @@ EncodeOptions options_of(const ravel_encode_options& given) {
     options.level = given.level;
     options.keep_order = given.keep_order != 0;
     options.float32 = given.float32 != 0;
+    options.fast = given.fast != 0;
     return options;
 }
 

@@ -49,6 +49,9 @@ struct EncodeOptions {
     std::optional<double> strip_budget;
     std::vector<AttributeOptions> attributes;  // all others come back bit for bit
     int level = 19;                            // zstd's level, 1..22
+    // Files that are faster to make and to decode, but larger where a mesh repeats or mirrors
+    // itself or lies in planes: none of this is looked for.
+    bool fast = false;
 };
 
 // Where the elements of the mesh given to `encode` are in the mesh that `decode` returns.

@@ -54,7 +54,7 @@ class DecodeOptions(Structure):
 
 class EncodeOptions(Structure):
     _fields_ = [("struct_size", c_uint32), ("position_bits", c_int32), ("max_error", c_double), ("strip_budget", c_double),
-                ("level", c_int32), ("keep_order", c_uint32), ("float32", c_uint32), ("reserved", c_uint32),
+                ("level", c_int32), ("keep_order", c_uint32), ("float32", c_uint32), ("fast", c_uint32),
                 ("max_error_relative", c_double), ("lattice", c_double),
                 ("attribute_bounds", c_void_p), ("attribute_bound_count", c_uint64)]
 

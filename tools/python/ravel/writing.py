@@ -46,7 +46,7 @@ def write(path, points, cells, point_data=None, cell_data=None, **options):
 
 def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, companions=(), companion_data=None,
           mesh_data=None, tag_names=(), notes=(), position_bits=None, max_error=None, max_error_relative=None, lattice=None,
-          attribute_bounds=None, float32=False, keep_order=False, strip_budget=None, level=None):
+          attribute_bounds=None, float32=False, keep_order=False, strip_budget=None, level=None, fast=False):
     """Packs a mesh.
 
     cells: blocks (type, data) as in meshio, {type: data}, or ("polygon", (begin, corners)) for polygons of
@@ -94,7 +94,7 @@ def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, c
         pack.ravel_encode_options_init(byref(options), sizeof(options))
         options.position_bits, options.max_error = position_bits or 0, max_error or 0
         options.max_error_relative, options.lattice = max_error_relative or 0, lattice or 0
-        options.float32, options.keep_order = float32, keep_order
+        options.float32, options.keep_order, options.fast = float32, keep_order, fast
         if strip_budget is not None:
             options.strip_budget = strip_budget
         if level is not None:

@@ -1,0 +1,7 @@
+# --fast looks for no parts that repeat: a dozen like hills are larger with it and come back as well.
+ravel -q make terrain:size=20x20,copies=12 -o hills.ply
+ravel -q encode hills.ply -o small.ravel
+ravel -q encode hills.ply -o fast.ravel --fast; echo "fast $?"
+[ $(wc -c <fast.ravel) -gt $(wc -c <small.ravel) ] && echo "larger"
+ravel -q verify hills.ply --fast; echo "verified $?"
+ravel encode hills.ply -o x.ravel --fast --level 3 >out 2>err; echo "both $?"
