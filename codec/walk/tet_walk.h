@@ -297,24 +297,29 @@ class TetWalk {
         return {near_.data(), kept};
     }
 
-    // An apex that is none of the list: by its rank among the front vertices in a large sphere, or
-    // by its age.
+    // An apex that is none of the list: by its rank among the front vertices in a large sphere,
+    // then among those that only a larger one holds, or by its age.
     Id code_far(const TetFront::Triangle& gate, const SphereFamily& family, Id truth) {
-        constexpr double kHighest = 3;
-        std::span<Near> far;
-        if (!family.flat()) far = search(gate, family, kHighest * family.unit());
-        far = far.first(static_cast<std::size_t>(
-            std::remove_if(far.begin(), far.end(),
-                           [&](const Near& near) { return list_.holds(near.vertex); }) -
-            far.begin()));
         constexpr std::uint64_t kMostRanks = 64;
-        const auto known = std::find_if(far.begin(), far.end(),
-                                        [&](const Near& near) { return near.vertex == truth; });
-        std::uint64_t rank = kMostRanks;
-        if (known != far.end())
-            rank = static_cast<std::uint64_t>(std::count_if(
-                far.begin(), far.end(), [&](const Near& near) { return near < *known; }));
-        if (driver_.flag(tet::kNear.at(0), rank < kMostRanks)) {
+        double above = -1e300;
+        for (const double multiple : {4.0, 10.0}) {
+            if (family.flat()) break;
+            const double height = multiple * family.unit();
+            std::span<Near> far = search(gate, family, height);
+            far = far.first(static_cast<std::size_t>(
+                std::remove_if(far.begin(), far.end(),
+                               [&](const Near& near) {
+                                   return !(near.height > above) || list_.holds(near.vertex);
+                               }) -
+                far.begin()));
+            above = height;
+            const auto known = std::find_if(far.begin(), far.end(),
+                                            [&](const Near& near) { return near.vertex == truth; });
+            std::uint64_t rank = kMostRanks;
+            if (known != far.end())
+                rank = static_cast<std::uint64_t>(std::count_if(
+                    far.begin(), far.end(), [&](const Near& near) { return near < *known; }));
+            if (!driver_.flag(tet::kNear.at(0), rank < kMostRanks)) continue;
             rank = driver_.number(tet::kNearRank.base, rank);
             if (rank >= std::min<std::uint64_t>(kMostRanks, far.size())) return kNone;
             const auto at = far.begin() + static_cast<std::ptrdiff_t>(rank);

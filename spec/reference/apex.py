@@ -90,15 +90,18 @@ class Apex:
             if walk.flag("kNext", i - 1, c.times, c.above()):
                 return self.told(c)
         # 6
-        if walk.flag("kNear", 0):
-            rank = walk.number("kNearRank")
-            far = []
-            if not spheres.flat:
-                for v, height in self.search(3 * spheres.unit):
-                    if not self.find(v):
-                        far.append((height, v))
-            require(rank < 64 and rank < len(far), "apex by rank that is not there")
-            return "old", sorted(far)[rank][1]
+        above = -1e300
+        for m in () if spheres.flat else (4.0, 10.0):
+            if walk.flag("kNear", 0):
+                rank = walk.number("kNearRank")
+                far = [
+                    (height, v)
+                    for v, height in self.search(m * spheres.unit)
+                    if height > above and not self.find(v)
+                ]
+                require(rank < 64 and rank < len(far), "apex by rank that is not there")
+                return "old", sorted(far)[rank][1]
+            above = m * spheres.unit
         # 7
         age = walk.number("kOldFar")
         require(age < walk.vertex_count, "apex by age that does not exist")
