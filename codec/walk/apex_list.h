@@ -22,7 +22,8 @@ struct ApexCandidate {
 // In the order of rank: of height, where each fold makes up for 1/32 of the gate's circumradius
 // (in regular meshes several vertices lie on one sphere); what is not above comes last, more folds
 // first. Of equal ranks the one that came first. Mostly the first two are all that is asked for, so
-// only they are put in their places until `sort`.
+// only they are put in their places
+// until `sort`.
 class ApexList {
   public:
     // What is beyond those asked for is let go.
@@ -57,17 +58,18 @@ class ApexList {
         change(list_[i].candidate);
         list_[i].rank = rank_of(list_[i].candidate);
     }
-    // Puts the first two in their places.
-    void lift_two() {
-        for (std::size_t place = 0; place < 2 && place < list_.size(); ++place) {
+    // Puts the first `count` in their places; of those that are in their places none moves.
+    void lift(std::size_t count) {
+        for (std::size_t place = 0; place < count && place < list_.size(); ++place) {
             std::size_t least = place;
             for (std::size_t i = place + 1; i < list_.size(); ++i)
                 least = list_[i] < list_[least] ? i : least;
             std::swap(list_[place], list_[least]);
         }
     }
+    // Lets go all but the first kMost, and puts these in their places.
     void sort() {
-        std::sort(list_.begin(), list_.end());
+        lift(kMost);
         if (list_.size() > kMost) list_.resize(kMost);
     }
 

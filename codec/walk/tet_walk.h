@@ -202,7 +202,7 @@ class TetWalk {
         };
         std::uint32_t height = kNotAbove, times = 0;
         if (!list_.empty()) {
-            list_.lift_two();
+            list_.lift(2);
             const ApexCandidate& lowest = list_[0];
             height = height_class(family, lowest);
             times = lowest.times;
@@ -322,9 +322,10 @@ class TetWalk {
             if (!driver_.flag(tet::kNear.at(0), rank < kMostRanks)) continue;
             rank = driver_.number(tet::kNearRank.base, rank);
             if (rank >= std::min<std::uint64_t>(kMostRanks, far.size())) return kNone;
-            const auto at = far.begin() + static_cast<std::ptrdiff_t>(rank);
-            std::nth_element(far.begin(), at, far.end());
-            return at->vertex;
+            auto lowest = far.begin();
+            for (std::uint64_t i = 0; i <= rank; ++i, ++lowest)
+                std::iter_swap(lowest, std::min_element(lowest, far.end()));
+            return (lowest - 1)->vertex;
         }
         const std::uint64_t age =
             driver_.number(tet::kOldFar.base, walked_.vertex_count - 1 - truth);
