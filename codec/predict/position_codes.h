@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,13 +14,13 @@
 #include "predict/echoes.h"
 #include "predict/follows.h"
 #include "predict/grid.h"
+#include "predict/level_codes.h"
 #include "predict/numbers.h"
 #include "predict/predictor.h"
 #include "predict/residual_context.h"
+#include "predict/rest_codes.h"
 
 namespace ravel {
-
-inline constexpr std::size_t kLevelStencil = 7;
 
 struct PositionFormat {
     NumberFormat numbers;
@@ -62,7 +61,11 @@ class PositionCodes {
   public:
     // `vertices`: about how many there will be, unused points among them.
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
-        : coder_(coder), format_(format), predictor_(format.weights, format.mirrored) {
+        : coder_(coder),
+          format_(format),
+          predictor_(format.weights, format.mirrored),
+          levels_(coder),
+          rest_(coder, format.numbers) {
         if (!format_.echoes.empty())
             index_.emplace(format_.cube_bits, format_.looks_far ? 1 : 0.5, vertices);
         if (format_.has_follows) courses_.emplace(vertices);
@@ -116,7 +119,7 @@ class PositionCodes {
                                                                                     : kNone;
         sizes_.begin(stencil);
         const bool levels = format_.has_levels && !edge;
-        if (levels) gather_level(stencil);
+        if (levels) levels_.begin(stencil);
         Point3 value{}, exact{};
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
@@ -142,10 +145,12 @@ class PositionCodes {
                         code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
                 }
             } else {
-                if (levels) same = code_level(stencil, axis, whole[axis], number);
+                if (levels)
+                    same = levels_.next(values_, axis, whole[axis],
+                                        [&](double x) { return is(number, x); });
                 if (same) {
-                    value[axis] = values_[level_vertex_][axis];
-                    if (keeps_exact_) exact[axis] = exact_[level_vertex_][axis];
+                    value[axis] = values_[levels_.vertex()][axis];
+                    if (keeps_exact_) exact[axis] = exact_[levels_.vertex()][axis];
                 } else {
                     size = code_whole(sizes_.scale(axis), whole[axis], number.whole);
                 }
@@ -153,7 +158,7 @@ class PositionCodes {
             if (!same) {
                 const bool tells = edge && size == 0;  // the guess, of what is behind the point
                 sane = number.whole < most_ && number.whole > -most_ &&
-                       code_rest(a, tells ? &g[axis] : nullptr, number);
+                       rest_.next(a, tells ? &g[axis] : nullptr, number);
                 const Scaled s = sane ? scaled_of(format_.numbers, number) : Scaled{};
                 value[axis] = s.units;
                 exact[axis] = s.exact;
@@ -375,37 +380,6 @@ class PositionCodes {
         return by_echo < by_guess;
     }
 
-    // The first known vertices of the stencil; and among them a coordinate that at least two share:
-    // does the new one, too?
-    void gather_level(const Stencil& stencil) {
-        level_count_ = 0;
-        for (std::size_t i = 0; i < kLevelStencil; ++i)
-            if (stencil.at[i] != kNone) level_id_[level_count_++] = stencil.at[i];
-    }
-    bool code_level(const Stencil& stencil, std::size_t axis, std::int64_t guess,
-                    const Number& truth) {
-        // The coordinate that most share, the first of these. All are held against all: fewer
-        // steps would be more branches that nobody foresees. What is not there equals nothing.
-        std::array<double, 8> x;
-        x.fill(kNothing);
-        for (std::size_t i = 0; i < level_count_; ++i) x[i] = values_[level_id_[i]][axis];
-        std::array<std::int64_t, 8> votes{};
-        for (std::size_t j = 0; j < kLevelStencil; ++j)
-            for (std::size_t i = 0; i < 8; ++i) votes[i] += x[i] == x[j];
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < kLevelStencil; ++i) best = votes[i] > votes[best] ? i : best;
-        const auto most = static_cast<std::uint32_t>(votes[best]);
-        if (most < 2) return false;
-        level_vertex_ = level_id_[best];
-        const double level = values_[level_vertex_][axis];
-        const bool same = coder_.flag(
-            ResidualContexts::level.at(static_cast<std::uint32_t>(stencil.configuration), most,
-                                       level_[axis], guess == static_cast<std::int64_t>(level)),
-            Coder::kWrites && is(truth, level));
-        level_[axis] = (level_[axis] << 1 | (same ? 1u : 0u)) & 3;
-        return same;
-    }
-
     // Returns how far the guess was off.
     std::uint64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole) {
         const std::int64_t r = code_residual(coder_, scale, whole - guess);
@@ -415,84 +389,14 @@ class PositionCodes {
         return magnitude(r);
     }
 
-    // What lies behind the point, and the sign of zero. `guess`: of the value, if it may tell.
-    bool code_rest(std::uint32_t axis, const double* guess, Number& n) {
-        using C = ResidualContexts;
-        const NumberFormat& f = format_.numbers;
-        if (f.digits == 0) {
-            n.rest = 0;
-            if (n.whole == 0 && f.has_minus_zero)
-                n.negative = minus_zero_[axis] =
-                    coder_.flag(C::minus_zero.at(axis, minus_zero_[axis]), n.negative);
-            else
-                n.negative = false;
-            return true;
-        }
-        int digits = rest_digits(f, n.whole);
-        if (n.whole == 0) {
-            const bool zero = coder_.flag(C::whole_zero.at(axis, was_zero_[axis]), n.rest == 0);
-            was_zero_[axis] = zero;
-            if (zero) {
-                n.rest = 0;
-                n.negative = f.has_minus_zero && coder_.flag(C::minus_zero.at(axis, 0), n.negative);
-                return true;
-            }
-            n.negative = coder_.plain(n.negative, 1) != 0;
-            int zeros = 0;
-            while (zeros < kMostLeading &&
-                   coder_.flag(C::leading.at(static_cast<std::uint32_t>(zeros)), zeros < n.zeros))
-                ++zeros;
-            n.zeros = zeros;
-            if (f.base == NumberBase::decimal && f.places + zeros + digits > kMostPlaces)
-                return false;
-        } else if (digits == 0) {
-            n.rest = 0;
-            return true;
-        } else if (guess != nullptr) {
-            return code_rest_by(*guess, axis, digits, n);
-        } else {
-            const auto d = static_cast<std::uint32_t>(digits);
-            if (coder_.flag(C::rest_zero.at(d), n.rest == 0)) {
-                n.rest = 0;
-                return true;
-            }
-            if (f.base == NumberBase::decimal && f.places + digits > kMostPlaces) return false;
-        }
-        const int width =
-            f.base == NumberBase::binary
-                ? digits
-                : static_cast<int>(std::bit_width(kTens[static_cast<std::size_t>(digits)] - 1));
-        n.rest = coder_.plain(n.rest, width);
-        return n.rest != 0 &&
-               (f.base == NumberBase::binary || n.rest < kTens[static_cast<std::size_t>(digits)]);
-    }
-
-    // The rest as a residual of what lies behind the point of the guess.
-    bool code_rest_by(double guess, std::uint32_t axis, int digits, Number& n) {
-        const NumberFormat& f = format_.numbers;
-        const bool decimal = f.base == NumberBase::decimal;
-        const std::uint64_t one =
-            decimal ? kTens[static_cast<std::size_t>(digits)] : std::uint64_t{1} << digits;
-        const double part = std::abs(guess) - static_cast<double>(magnitude(n.whole));
-        // To the nearest, ties to even, as floats are rounded.
-        const auto near =
-            static_cast<std::uint64_t>((part * static_cast<double>(one) + 0x1p52) - 0x1p52);
-        std::uint64_t& expected = rest_expected_[axis];
-        const std::int64_t r =
-            code_residual(coder_, scale_of(expected), static_cast<std::int64_t>(n.rest - near));
-        expect(expected, std::min(magnitude(r), static_cast<std::uint64_t>(kMostWhole)));
-        n.rest = near + static_cast<std::uint64_t>(r);
-        return n.rest < one && (n.rest == 0 || !decimal || f.places + digits <= kMostPlaces);
-    }
-
-    static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
     Coder& coder_;
     const PositionFormat format_;
     Predictor predictor_;
     std::int64_t most_ = 0;
     bool keeps_exact_ = false, is_plain_ = false;
     ResidualSizes sizes_;
+    LevelCodes<Coder> levels_;
+    RestCodes<Coder> rest_;
     std::vector<Point3> values_, exact_;
     std::vector<bool> outliers_;
     std::vector<std::array<std::uint64_t, 3>> raw_;
@@ -502,12 +406,7 @@ class PositionCodes {
     std::size_t last_echo_ = 0;
     std::uint64_t without_ = 0;  // vertices since an echo served
     std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
-    std::array<std::uint32_t, 3> level_{};
-    std::array<Id, kLevelStencil> level_id_{};
-    std::size_t level_count_ = 0;
-    Id level_vertex_ = 0, prior_ = kNone;
-    std::array<bool, 3> minus_zero_{}, was_zero_{};
-    std::array<std::uint64_t, 3> rest_expected_{};
+    Id prior_ = kNone;
 };
 
 }  // namespace ravel

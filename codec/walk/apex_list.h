@@ -91,4 +91,27 @@ class ApexList {
     double worth_ = 0;
 };
 
+// Heights in classes, for contexts; `unit` is the height that equals the gate's circumradius.
+inline constexpr std::uint32_t kNotAbove = 13;
+inline std::uint32_t height_class(const ApexCandidate& candidate, double unit) {
+    static constexpr std::array<double, 12> kBounds{-0.5, 0.0, 0.2, 0.35, 0.5, 0.67,
+                                                    0.9,  1.2, 1.6, 2.2,  3.5, 7.7};
+    if (!candidate.above) return kNotAbove;
+    const double h = candidate.height / unit;
+    std::uint32_t c = 0;
+    for (const double bound : kBounds) c += h > bound;
+    return c;
+}
+// How far the second candidate lies above the first: 0 for next to nothing, 3 for far or none.
+inline std::uint32_t gap_class(const ApexList& list, double unit) {
+    if (list.size() < 2 || !list[1].above) return 3;
+    const double gap = (list[1].height - list[0].height) / unit;
+    return (gap >= 0.03) + (gap >= 0.12) + (gap >= 0.35);
+}
+inline std::uint32_t second_class(const ApexList& list, double unit) {
+    if (list.size() < 2 || !list[1].above) return 5;
+    const double h = list[1].height / unit;
+    return (h >= 0.35) + (h >= 0.67) + (h >= 1.2) + (h >= 2.2);
+}
+
 }  // namespace ravel

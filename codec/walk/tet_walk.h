@@ -167,29 +167,6 @@ class TetWalk {
     static bool is_in(const TetFront::Triangle& t, Id v) {
         return v == t.vertex[0] || v == t.vertex[1] || v == t.vertex[2];
     }
-    static constexpr std::uint32_t kNotAbove = 13;
-    // Bounds are multiples of the gate's circumradius.
-    static std::uint32_t height_class(const SphereFamily& family, const ApexCandidate& candidate) {
-        static constexpr std::array<double, 12> kBounds{-0.5, 0.0, 0.2, 0.35, 0.5, 0.67,
-                                                        0.9,  1.2, 1.6, 2.2,  3.5, 7.7};
-        if (!candidate.above) return kNotAbove;
-        const double h = candidate.height / family.unit();
-        std::uint32_t c = 0;
-        for (const double bound : kBounds) c += h > bound;
-        return c;
-    }
-    // How far the second candidate lies above the first: 0 for next to nothing, 3 for far or none.
-    std::uint32_t gap_class(const SphereFamily& family) const {
-        if (list_.size() < 2 || !list_[1].above) return 3;
-        const double gap = (list_[1].height - list_[0].height) / family.unit();
-        return (gap >= 0.03) + (gap >= 0.12) + (gap >= 0.35);
-    }
-    std::uint32_t second_class(const SphereFamily& family) const {
-        if (list_.size() < 2 || !list_[1].above) return 5;
-        const double h = list_[1].height / family.unit();
-        return (h >= 0.35) + (h >= 0.67) + (h >= 1.2) + (h >= 2.2);
-    }
-
     Id code_apex(const TetFront::Triangle& gate, Apex& kind) {
         const SphereFamily family(driver_.place(gate.vertex[0]), driver_.place(gate.vertex[1]),
                                   driver_.place(gate.vertex[2]), limits_.mirrored);
@@ -204,16 +181,16 @@ class TetWalk {
         if (!list_.empty()) {
             list_.lift(2);
             const ApexCandidate& lowest = list_[0];
-            height = height_class(family, lowest);
+            height = height_class(lowest, family.unit());
             times = lowest.times;
             const std::uint32_t fan = std::clamp<std::uint32_t>(lowest.fan, 1, 4) - 1;
-            const std::uint32_t gap = lowest.above ? gap_class(family) : 3;
+            const std::uint32_t gap = lowest.above ? gap_class(list_, family.unit()) : 3;
             if (driver_.flag(tet::kLowest.at(height, times, fan, 2 * gap + lowest.beyond_border),
                              driver_.apex_is(lowest.vertex)))
                 return answer(lowest);
         }
         const Id truth = driver_.apex();
-        if (driver_.flag(tet::kNew.at(height, times, borders, second_class(family)),
+        if (driver_.flag(tet::kNew.at(height, times, borders, second_class(list_, family.unit())),
                          truth == kNone)) {
             kind = Apex::fresh;
             return kNone;
