@@ -37,8 +37,9 @@ class ApexList {
     bool empty() const { return list_.empty(); }
     const ApexCandidate& operator[](std::size_t i) const { return list_[i].candidate; }
 
-    bool holds(Id vertex) const {
-        return std::any_of(list_.begin(), list_.end(),
+    // Is it one of the first `among`?
+    bool holds(Id vertex, std::size_t among) const {
+        return std::any_of(list_.begin(), list_.begin() + static_cast<std::ptrdiff_t>(among),
                            [&](const Ranked& r) { return r.candidate.vertex == vertex; });
     }
     void add(const ApexCandidate& candidate) {

@@ -233,14 +233,15 @@ class TetWalk {
     // the search is not made, or ends early.
     void offer_near(const TetFront::Triangle& gate, const SphereFamily& family) {
         if (family.flat()) return;
+        const std::size_t folds = list_.size();  // what is found is none of the others found
         double lowest = 1e300;
-        for (std::size_t i = 0; i < list_.size(); ++i)
+        for (std::size_t i = 0; i < folds; ++i)
             if (list_[i].above) lowest = std::min(lowest, list_[i].height);
         for (const double multiple : {1.0, 2.0}) {
             const double height = std::min(multiple * family.unit(), lowest);
             bool found = false;
             for (const Near& near : search(gate, family, height)) {
-                if (list_.holds(near.vertex)) continue;
+                if (list_.holds(near.vertex, folds)) continue;
                 ApexCandidate candidate;
                 candidate.vertex = near.vertex;
                 candidate.height = near.height;
@@ -286,7 +287,8 @@ class TetWalk {
             far = far.first(static_cast<std::size_t>(
                 std::remove_if(far.begin(), far.end(),
                                [&](const Near& near) {
-                                   return !(near.height > above) || list_.holds(near.vertex);
+                                   return !(near.height > above) ||
+                                          list_.holds(near.vertex, list_.size());
                                }) -
                 far.begin()));
             above = height;
