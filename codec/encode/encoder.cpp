@@ -143,7 +143,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     section(SectionId::connectivity, codes.out.finish());
     const std::vector<Index> unused(
         order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
-    section(SectionId::positions, write_positions(*plan, complex, record, unused, edges, options.fast));
+    section(SectionId::positions,
+            write_positions(*plan, complex, record, unused, edges, options.fast));
     if (!mesh.companions.empty()) section(SectionId::companions, companions.section);
     if (!mesh.attributes.empty())
         section(SectionId::attributes, write_attributes(on_strip.ground(course.walked),

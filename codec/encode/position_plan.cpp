@@ -20,32 +20,33 @@ std::uint64_t bits_at(const Array& positions, std::size_t i) {
                                            : positions.as<std::uint64_t>()[i];
 }
 
-struct Box {
-    std::array<double, 3> low{}, high{};
-    double longest = 0, farthest = 0;  // side; largest absolute coordinate
-};
-
 bool finite_point(const Array& positions, std::size_t p) {
     return std::isfinite(value_at(positions, 3 * p)) &&
            std::isfinite(value_at(positions, 3 * p + 1)) &&
            std::isfinite(value_at(positions, 3 * p + 2));
 }
 
-Box box_of(const Array& positions, std::size_t points) {
-    Box box;
-    bool any = false;
-    for (std::size_t p = 0; p < points; ++p) {
-        if (!finite_point(positions, p)) continue;
+struct Box {
+    std::array<double, 3> low{}, high{};
+    double longest = 0, farthest = 0;  // side; largest absolute coordinate
+    bool empty = true;
+
+    void take_in(const Array& positions, std::size_t p) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double x = value_at(positions, 3 * p + axis);
-            box.low[axis] = any ? std::min(box.low[axis], x) : x;
-            box.high[axis] = any ? std::max(box.high[axis], x) : x;
-            box.farthest = std::max(box.farthest, std::abs(x));
+            low[axis] = empty ? x : std::min(low[axis], x);
+            high[axis] = empty ? x : std::max(high[axis], x);
+            farthest = std::max(farthest, std::abs(x));
+            longest = std::max(longest, high[axis] - low[axis]);
         }
-        any = true;
+        empty = false;
     }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        box.longest = std::max(box.longest, box.high[axis] - box.low[axis]);
+};
+
+Box box_of(const Array& positions, std::size_t points) {
+    Box box;
+    for (std::size_t p = 0; p < points; ++p)
+        if (finite_point(positions, p)) box.take_in(positions, p);
     return box;
 }
 
@@ -99,24 +100,14 @@ Box robust_box(const Array& positions, std::size_t points) {
     if (!(box.longest > kMuch * core.longest) || core.longest == 0) return box;
     // What is as near as the core is large belongs to it.
     Box kept;
-    bool any = false;
     for (std::size_t p = 0; p < points; ++p) {
         bool near = finite_point(positions, p);
         for (std::size_t axis = 0; axis < 3 && near; ++axis) {
             const double x = value_at(positions, 3 * p + axis);
             near = x >= core.low[axis] - core.longest && x <= core.high[axis] + core.longest;
         }
-        if (!near) continue;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double x = value_at(positions, 3 * p + axis);
-            kept.low[axis] = any ? std::min(kept.low[axis], x) : x;
-            kept.high[axis] = any ? std::max(kept.high[axis], x) : x;
-            kept.farthest = std::max(kept.farthest, std::abs(x));
-        }
-        any = true;
+        if (near) kept.take_in(positions, p);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        kept.longest = std::max(kept.longest, kept.high[axis] - kept.low[axis]);
     return kept;
 }
 

@@ -113,7 +113,7 @@ Bytes head_of(const PositionFormat& format) {
 }
 
 // What is to be coded, in order.
-struct Course {
+struct CodedVertices {
     const PositionPlan& plan;
     const Complex& complex;
     const WalkRecord& record;
@@ -126,55 +126,55 @@ struct Course {
 
 // The first `size`. `coded(i)`: is the i-th to be coded, or only to be known to those that are?
 template <class Coder, class Coded>
-void code_course(Coder& coder, const Course& course, std::size_t size, const Coded& coded) {
-    PositionCodes<Coder> codes(coder, course.plan.format, course.size());
+void code_vertices(Coder& coder, const CodedVertices& all, std::size_t size, const Coded& coded) {
+    PositionCodes<Coder> codes(coder, all.plan.format, all.size());
     codes.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
-        const bool used = i < course.vertices();
-        if (used && course.record.copy_of[i] != kNone) {
-            codes.copy(course.record.copy_of[i]);
+        const bool used = i < all.vertices();
+        if (used && all.record.copy_of[i] != kNone) {
+            codes.copy(all.record.copy_of[i]);
             continue;
         }
-        const std::size_t p = used ? course.complex.point[course.record.vertex_of[i]]
-                                   : course.unused[i - course.vertices()];
+        const std::size_t p =
+            used ? all.complex.point[all.record.vertex_of[i]] : all.unused[i - all.vertices()];
         const Stencil stencil =
-            used ? course.record.stencils[i]
-                 : stencil_of_unused(course.edges, i - course.vertices(), course.vertices());
-        const bool outlier = !course.plan.outlier.empty() && course.plan.outlier[p];
+            used ? all.record.stencils[i]
+                 : stencil_of_unused(all.edges, i - all.vertices(), all.vertices());
+        const bool outlier = !all.plan.outlier.empty() && all.plan.outlier[p];
         if (coded(i))
-            codes.next(stencil, course.plan.values[p], outlier);
+            codes.next(stencil, all.plan.values[p], outlier);
         else
-            codes.skip(stencil, course.plan.values[p], outlier);
+            codes.skip(stencil, all.plan.values[p], outlier);
     }
 }
 
-Bytes write_head_and_bits(const Course& course) {
+Bytes write_head_and_bits(const CodedVertices& all) {
     ByteWriter out;
-    out.raw(head_of(course.plan.format));
+    out.raw(head_of(all.plan.format));
     FlagEncoder bits;
     WritingCoder coder{bits};
-    code_course(coder, course, course.size(), [](std::size_t) { return true; });
+    code_vertices(coder, all, all.size(), [](std::size_t) { return true; });
     out.raw(bits.finish());
     return out.take();
 }
 
 // About how many bytes that would make. Of large meshes a stretch of vertices in each three is
 // looked at, of very large ones only as far as kMost.
-double try_out(const Course& course) {
+double try_out(const CodedVertices& all) {
     constexpr std::size_t kStretch = 256, kAll = 8192, kMost = 131072;
-    const std::size_t size = std::min(course.size(), kMost);
-    const bool all = course.size() <= kAll;
+    const std::size_t size = std::min(all.size(), kMost);
+    const bool whole = all.size() <= kAll;
     std::size_t count = 0;
     CountingCoder coder;
-    code_course(coder, course, size, [&](std::size_t i) {
-        const bool coded = all || i / kStretch % 3 == 0;
+    code_vertices(coder, all, size, [&](std::size_t i) {
+        const bool coded = whole || i / kStretch % 3 == 0;
         count += coded;
         return coded;
     });
     const double share =
-        count == 0 ? 1 : static_cast<double>(course.size()) / static_cast<double>(count);
-    return static_cast<double>(head_of(course.plan.format).size()) +
-           coder.bits / 8 * (all ? 1 : share);
+        count == 0 ? 1 : static_cast<double>(all.size()) / static_cast<double>(count);
+    return static_cast<double>(head_of(all.plan.format).size()) +
+           coder.bits / 8 * (whole ? 1 : share);
 }
 
 }  // namespace
@@ -194,8 +194,8 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored);
 
-    const Course course{plan, complex, record, unused, edges};
-    if (fast) return write_head_and_bits(course);
+    const CodedVertices all{plan, complex, record, unused, edges};
+    if (fast) return write_head_and_bits(all);
 
     // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes
     // the bytes fewer, of large meshes by a hundredth at least.
@@ -205,10 +205,10 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     const auto offer = [&] {
         if (best < 0) {
             std::swap(kept, plan.format);
-            best = try_out(course);
+            best = try_out(all);
             std::swap(kept, plan.format);
         }
-        const double bytes = try_out(course);
+        const double bytes = try_out(all);
         if (bytes + (vertices < kSmall ? 0 : best / 100) < best)
             best = bytes, kept = plan.format;
         else
@@ -239,7 +239,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         plan.format.has_follows = true;
         offer();
     }
-    return write_head_and_bits(course);
+    return write_head_and_bits(all);
 }
 
 }  // namespace ravel

@@ -33,8 +33,8 @@ class CellGraph final : public FloodGraph {
         // A wall about an edge has both of its ends.
         const Id base = facet & ~Id{3};
         std::array<bool, 4> at{};
+        std::uint32_t ends = 0;
         if (tets) {
-            std::uint32_t ends = 0;
             for (Id k = 0; k < 4; ++k) {
                 at[k] = k != (facet & 3) && walled_[walk.vertex[base + k]];
                 ends += at[k];
@@ -56,11 +56,9 @@ class CellGraph final : public FloodGraph {
             return false;
         };
         if (tets) {
-            for (Id local = 0; local < 4; ++local) {
-                bool both = local != (facet & 3);
-                for (Id k = 0; k < 4; ++k) both = both && (k == local || k == (facet & 3) || at[k]);
-                if (both) ground_.turn_about_edge(facet, local, enter, visit);
-            }
+            for (Id local = 0; local < 4; ++local)
+                if (local != (facet & 3) && ends - at[local] == 2)
+                    ground_.turn_about_edge(facet, local, enter, visit);
         } else {
             if (at[0]) ground_.turn_about_end(facet, false, enter, visit);
             if (at[1]) ground_.turn_about_end(facet, true, enter, visit);

@@ -31,14 +31,12 @@ class CornersAround final : public Around {
             how_of[count] = agreement(element, tuple, beside_here, beside_there);
             there_of[count++] = ground_.mesh_corner(there);
         });
-        std::uint32_t agree = 0;
         if (count == 2 && kPlace[how_of[0]] > kPlace[how_of[1]]) {
             std::swap(how_of[0], how_of[1]);
             std::swap(there_of[0], there_of[1]);
         }
-        if (count > 0) agree = how_of[0];
         for (std::size_t i = 0; i < count; ++i) b.add(there_of[i]);
-        b.hint = agree + 3 * std::min(b.count, 1u);
+        b.hint = how_of[0] + 3 * std::min(b.count, 1u);
         Id other = before_[corner];
         // In a flipped cell that has a vertex twice the one before may come later in the mesh.
         for (int looks = 0; looks < 6 && other != kNone; ++looks, other = before_[other])

@@ -64,15 +64,15 @@ class VertexGrid {
         if (blocks(0) * blocks(1) * blocks(2) > kMostBlocks) return;
         for (std::size_t z = low[2] >> 2; z <= high[2] >> 2; ++z) {
             const std::uint64_t in_z =
-                kLayers << 16 * first(low[2], z) & kLayers >> 16 * rest(high[2], z);
+                kCubes << 16 * first(low[2], z) & kCubes >> 16 * rest(high[2], z);
             for (std::size_t y = low[1] >> 2; y <= high[1] >> 2; ++y) {
                 const std::uint64_t rows =
                     kRows << 4 * first(low[1], y) & kRows >> 4 * rest(high[1], y) & kRows;
-                const std::uint64_t in_y = in_z & (rows & 0xFFFF) * 0x0001000100010001u;
+                const std::uint64_t in_y = in_z & rows * 0x0001000100010001u;
                 const Block* row = blocks_.data() + z * layer_ + y * row_;
                 for (std::size_t x = low[0] >> 2; x <= high[0] >> 2; ++x) {
-                    const std::uint64_t steps = std::uint64_t{15} << first(low[0], x) &
-                                                std::uint64_t{15} >> rest(high[0], x);
+                    const std::uint64_t steps =
+                        kSteps << first(low[0], x) & kSteps >> rest(high[0], x);
                     std::uint64_t cubes = row[x].filled & in_y & steps * 0x1111111111111111u;
                     for (; cubes != 0; cubes &= cubes - 1) {
                         Id v = row[x].head[static_cast<std::size_t>(std::countr_zero(cubes))];
@@ -89,7 +89,8 @@ class VertexGrid {
 
   private:
     static constexpr std::uint64_t kMostBlocks = 512;
-    static constexpr std::uint64_t kLayers = ~std::uint64_t{0}, kRows = 0xFFFF;
+    // All cubes of a block, those of a layer, and of a row.
+    static constexpr std::uint64_t kCubes = ~std::uint64_t{0}, kRows = 0xFFFF, kSteps = 0xF;
     struct Entry {
         Point3 place{};
         Id next = kNone, prev = kNone;

@@ -312,7 +312,7 @@ typedef struct ravel_encode_options {
     int32_t level;         /* zstd's, 1..22 */
     uint32_t keep_order;   /* 1: the order of points and cells comes back */
     uint32_t float32;      /* 1: round F64 positions to F32 first */
-    uint32_t fast; /* 1: faster to make and to decode; repeats, mirrors, planes are not looked for */
+    uint32_t fast;         /* 1: faster to make and decode: no repeats, mirrors, planes are sought */
     double max_error_relative; /* as max_error, in diagonals of the bounding box */
     double lattice; /* a power of two: coordinates become multiples of it, alike in every mesh */
     const ravel_attribute_bound* attribute_bounds;
