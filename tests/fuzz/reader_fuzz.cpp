@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,6 +62,12 @@ void fail(const std::string& what) {
     std::abort();
 }
 
+// One in eight, by the bytes alone: roundtrip_fuzz is for the codec, which takes most of the time and
+// whose many branches would be what a fuzzer of readers goes after.
+bool goes_through_the_codec(const std::uint8_t* data, std::size_t size) {
+    return std::accumulate(data, data + size, 0u) % 8 == 0;
+}
+
 void through_the_codec(const Mesh& mesh) {
     EncodeOptions options;
     options.level = 1;
@@ -98,7 +105,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     if (const Status status = check_mesh(*mesh); !status) fail("a broken mesh");
     if (mesh->corners.size() > 4000 || mesh->point_count() > 4000) return 0;
-    through_the_codec(*mesh);
+    if (goes_through_the_codec(data, size)) through_the_codec(*mesh);
     for (const bool binary : {false, true}) through_the_writer(folder, *mesh, binary);
     return 0;
 }

@@ -199,7 +199,7 @@ TEST_CASE("points of edges that there can't be are corrupt") {
               b.has_edge_points = true;
           })) == Code::corrupt);
     // The block of companions that follows from them: count, then type, nodes, cells, kind.
-    for (const std::size_t field : {1, 2, 3, 4})
+    for (const std::size_t field : {1u, 2u, 3u, 4u})
         CHECK(code_of(test::with_section(v.file, SectionId::companions, [&](Bytes& raw) {
                   raw[field] = static_cast<std::byte>(static_cast<unsigned>(raw[field]) - 1);
               })) == Code::corrupt);

@@ -91,7 +91,7 @@ void check_bounds(const Mesh& mesh, const EncodeOptions& options) {
 }  // namespace
 
 TEST_CASE("rounded attributes stay within their bound") {
-    make::Random random(7);
+    make::Random random{7};
     for (const char* recipe :
          {"grid:size=9x7", "tets:box=3x3x3,jitter=0.2", "soup:polygons=60", "soup:tets=60",
           "tiny:empty", "tiny:points", "tiny:quad", "polygons:mixed,size=8x8,attributes"}) {
@@ -120,7 +120,7 @@ TEST_CASE("rounded attributes stay within their bound") {
 }
 
 TEST_CASE("directions stay within the bound of their bits") {
-    make::Random random(8);
+    make::Random random{8};
     for (const char* recipe : {"sphere:subdivide=3", "tets:ball=3", "soup:polygons=60"})
         for (const Scalar scalar : {Scalar::f32, Scalar::f64})
             for (const bool wild : {false, true})
@@ -135,7 +135,7 @@ TEST_CASE("directions stay within the bound of their bits") {
 }
 
 TEST_CASE("fewer bits make fewer bytes, and decoding what was rounded rounds no further") {
-    make::Random random(9);
+    make::Random random{9};
     Mesh mesh = made("terrain:size=40x40");
     mesh.attributes.push_back(field_of(mesh, Place::point, Scalar::f64, 1, false, random));
     std::size_t last = encode(mesh)->bytes.size();

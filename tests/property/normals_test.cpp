@@ -139,7 +139,7 @@ TEST_CASE("normals come back, of points, cells, corners and pools, also on cells
 }
 
 TEST_CASE("normals of a surface cost less than half of what as many others cost") {
-    make::Random random(5);
+    make::Random random{5};
     for (const char* recipe : {"sphere:subdivide=4,bumps=0.2", "torus:quads=2000,bumps=0.3"})
         for (const bool by_angle : {false, true}) {
             const Mesh bare = made(recipe);

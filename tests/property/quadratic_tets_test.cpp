@@ -25,7 +25,7 @@ Mesh made(const char* recipe) {
 // The mesh with a point of its own for every edge, in the middle but for `jitter`; nodes and tets
 // in any order, and a smooth field at the points.
 Mesh quadratic(Mesh mesh, std::uint64_t seed, double jitter = 0) {
-    make::Random random(seed);
+    make::Random random{seed};
     mesh.attributes.clear();
     mesh.companions.clear();
     std::map<std::pair<Index, Index>, Index> node_of;
@@ -150,7 +150,7 @@ TEST_CASE("middles of edges cost next to nothing", "[codec]") {
 TEST_CASE("fields at quadratic nodes follow from the ends of their edges", "[codec]") {
     const Mesh with = quadratic(made("tets:box=8,jitter=0.2,seed=5"), 3);
     Mesh rough = with;
-    make::Random random(1);
+    make::Random random{1};
     for (float& x : rough.attributes[0].values.as<float>())
         x = static_cast<float>(random.below(1 << 22)) / 256;
     CHECK(2 * size_of(with) < size_of(rough) + size_of(bare(with)));

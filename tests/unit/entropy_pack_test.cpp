@@ -32,7 +32,7 @@ TEST_CASE("what is packed comes back at every level") {
 
 TEST_CASE("a packed section of another size than announced is refused") {
     const Bytes packed = pack(Bytes(1000, std::byte{1}), 3);
-    for (const std::uint64_t size : {0, 1, 999, 1001, 100000})
+    for (const std::uint64_t size : {0u, 1u, 999u, 1001u, 100000u})
         CHECK_FALSE(unpack(packed, size, 0).ok());
 }
 
