@@ -162,6 +162,27 @@ TEST_CASE("MSH sections that are not known are kept as they are", "[io][msh]") {
     CHECK(trouble_reading_again("a.msh", periodic) == "");
 }
 
+TEST_CASE("MSH notes that would not be sections again are left out", "[io][msh]") {
+    const std::string tet = "$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n";
+    CHECK(!read_bytes("a.msh", v4(tet + "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")));
+    Result<Mesh> mesh = read_bytes("a.msh", v4(tet));
+    REQUIRE(mesh);
+    mesh->notes = {{"gmsh:section:MeshFormat", "4.1 0 8\n"},
+                   {"gmsh:section:two words", "text\n"},
+                   {"gmsh:section:Cut", "text\n$EndCut\n"},
+                   {"gmsh:section:Open", "no end of line"},
+                   {"gmsh:section:", "text\n"},
+                   {"gmsh:section:Kept", "text\n"}};
+    const TempFolder folder;
+    std::vector<std::string> left_out;
+    REQUIRE(io::write_mesh(*mesh, folder / "b.msh", {}, &left_out));
+    CHECK(!left_out.empty());
+    const Result<Mesh> again = io::read_mesh(folder / "b.msh");
+    REQUIRE(again);
+    REQUIRE(again->notes.size() == 1);
+    CHECK(again->notes[0].key == "gmsh:section:Kept");
+}
+
 TEST_CASE("MSH sections that name nodes or elements keep their numbers", "[io][msh]") {
     const std::string tet = "$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n";
     const Result<Mesh> periodic =

@@ -1,4 +1,6 @@
 // From a Mesh to a Gmsh file: attributes with Gmsh's names become tags again, others data sections.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -354,6 +356,17 @@ void build_data(Building& b) {
     }
 }
 
+// Would a section of this name and text be read as one that was kept? Notes may be anyone's.
+bool can_be_section(const std::string& name, const std::string& text, bool binary) {
+    constexpr std::array<std::string_view, 6> kWritten{
+        "MeshFormat", "Nodes", "Elements", "PhysicalNames", "NodeData", "ElementData"};
+    return !name.empty() && name.find_first_of(" \t\r\n") == std::string::npos &&
+           !name.starts_with("End") && name != kTypesSection &&
+           std::find(kWritten.begin(), kWritten.end(), name) == kWritten.end() &&
+           text.find("$End" + name) == std::string::npos &&
+           (binary || text.empty() || text.back() == '\n');
+}
+
 void build_sections(Building& b) {
     for (const Note& note : b.mesh.notes) {
         for (const bool binary : {false, true}) {
@@ -362,6 +375,7 @@ void build_sections(Building& b) {
             // Gmsh's own sections are other bytes in text than in binary files.
             const std::string name = note.key.substr(kept.size());
             if (has_binary_form(name) && binary != b.file.binary) continue;
+            if (!can_be_section(name, note.text, b.file.binary)) continue;
             b.file.sections.push_back({name, note.text, binary});
             b.left_out.take_notes(note.key);
         }

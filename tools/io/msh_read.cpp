@@ -79,6 +79,7 @@ Status read_section(Reading& reading, const std::string& name) {
         return read_data_section(in, place, reading.file.data.emplace_back());
     }
     if (name == kTypesSection) return read_types_section(in, reading.file.types);
+    if (name == "MeshFormat") return in.fault("a second section $MeshFormat");
     return read_raw_section(in, name, reading.file.sections.emplace_back());
 }
 
