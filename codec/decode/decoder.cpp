@@ -44,7 +44,7 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     // Of tets, 32 bytes are for a front that hostile vertices crowd (see TetFront).
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 96 : 52) + (order ? 24 : 0);
     const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 440 : 384, per_edges = b.has_edge_points ? 168 : 0;
+                        per_vertex = order ? 452 : 396, per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
 }
@@ -57,11 +57,12 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     format.has_outliers = (flags & 4) != 0;
     numbers.has_minus_zero = (flags & 8) != 0;
     format.has_levels = (flags & 128) != 0;
-    format.has_follows = fitted >> kConfigurations != 0;
+    format.has_follows = (flags & 1) != 0;
+    format.has_along = (flags & 2) != 0;
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
-    bool sane = (flags & 3) == 0 && base <= 2 && (base == 0) == !head.lossless &&
-                (head.lossless || !numbers.has_minus_zero);
+    bool sane = (!format.has_along || head.kind == CellKind::tet) && base <= 2 &&
+                (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
         const std::int64_t places = unzigzag(in.varint());
         const bool decimal = numbers.base == NumberBase::decimal;

@@ -84,10 +84,10 @@ Bytes head_of(const PositionFormat& format) {
     for (std::size_t c = 0; c < kConfigurations; ++c)
         if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
     out.u8(static_cast<std::uint8_t>(
-        (format.has_outliers ? 4 : 0) | (format.numbers.has_minus_zero ? 8 : 0) |
-        static_cast<int>(format.numbers.base) << 4 | (format.echoes.empty() ? 0 : 64) |
-        (format.has_levels ? 128 : 0)));
-    out.u8(static_cast<std::uint8_t>(fitted | (format.has_follows ? 128 : 0)));
+        (format.has_follows ? 1 : 0) | (format.has_along ? 2 : 0) | (format.has_outliers ? 4 : 0) |
+        (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
+        (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
+    out.u8(static_cast<std::uint8_t>(fitted));
     if (!format.grid()) {
         out.varint(zigzag(format.numbers.places));
         out.u8(static_cast<std::uint8_t>(format.numbers.digits));
@@ -192,7 +192,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         if (!outlier) places[v] = units_of(plan, p);
         if (!skip[v]) firm.push_back(places[v]);
     }
-    plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored);
+    plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored, false);
 
     const CodedVertices all{plan, complex, record, unused, edges};
     if (fast) return write_head_and_bits(all);
@@ -230,6 +230,13 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     if (vertices < kSmall || has_level_faces(record, places)) {
         plan.format.has_levels = true;
+        offer();
+    }
+    if (std::any_of(record.stencils.begin(), record.stencils.end(),
+                    [](const Stencil& stencil) { return stencil.borders != 0; })) {
+        plan.format.has_along = true;
+        plan.format.weights =
+            fit_weights(record.stencils, places, skip, plan.format.mirrored, true);
         offer();
     }
     std::size_t seeds = 0;

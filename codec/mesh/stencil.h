@@ -22,12 +22,15 @@ enum class Configuration : std::uint8_t {
     triangle,     // [a b u_a v_b]
     polygon,  // other degrees: [previous corner, the one before, the one before that, next known]
     tet,      // [x0 x1 x2 o y0 y1 y2]: gate, the apex behind it, the apexes across its edges
+    border,   // [a b y z]: a tet's that goes on with the border beyond edge a b, y being the apex
+              // of the triangle there, z the gate's vertex opposite
     edge,     // [a b, then the points of edges before, latest first]: own point of edge a b
     count,
 };
 inline constexpr std::size_t kStencilSize = 11;
 struct Stencil {
     Configuration configuration = Configuration::seed;
+    std::uint8_t borders = 0;  // tet: bit e if there is a border across edge e, opposite x_e
     std::array<Id, kStencilSize> at = [] {
         std::array<Id, kStencilSize> none{};
         none.fill(kNone);

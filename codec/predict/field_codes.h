@@ -200,7 +200,7 @@ class FieldCodes {
                              std::int64_t guess) {
         const std::int64_t n = Coder::kWrites ? truth_.whole[i] : 0;
         const std::int64_t r =
-            code_residual(coder_, sizes.scale(slot),
+            code_residual(coder_, sizes.scale(slot, slot),
                           static_cast<std::int64_t>(static_cast<std::uint64_t>(n) -
                                                     static_cast<std::uint64_t>(guess)));
         sizes.coded(slot, magnitude(r));

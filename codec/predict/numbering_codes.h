@@ -65,7 +65,7 @@ class NumberingCodes {
             AttributeContexts::number_near.at(was_near_),
             Coder::kWrites && static_cast<int>(std::bit_width(magnitude(r))) + 2 < width);
         if (was_near_) {
-            const std::int64_t missed = code_residual(coder_, sizes_.scale(0), r);
+            const std::int64_t missed = code_residual(coder_, sizes_.scale(0, 0), r);
             sizes_.coded(0, magnitude(missed));
             const auto found =
                 static_cast<std::uint64_t>(guessed) + static_cast<std::uint64_t>(missed);

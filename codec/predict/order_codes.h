@@ -165,12 +165,16 @@ class OrderCodes {
         for (Id e = 0; e < count; ++e) {
             std::uint32_t& turn = order_.companion_turn[before + e];
             const auto nodes = old_node.begin() + static_cast<std::ptrdiff_t>(std::size_t{e} * n);
-            for (Id k = 0; k < n; ++k) nodes[k] = old_point(block.nodes[std::size_t{e} * n + k]);
+            const auto take = [&](Id first) {
+                for (Id k = 0; k < n; ++k)
+                    nodes[k] = old_point(block.nodes[std::size_t{e} * n + (first + k) % n]);
+            };
+            take(0);
             begin[e + 1] = (e + 1) * n;
             if (e >= turned || n < 3) continue;
             const auto lowest = static_cast<Id>(std::min_element(nodes, nodes + n) - nodes);
             if (!code_start(n, lowest, turn)) return false;
-            std::rotate(nodes, nodes + (n - turn) % n, nodes + n);
+            take((n - turn) % n);
         }
         NumberingCodes<Coder> codes(coder_, count, count);
         auto bound = static_cast<Id>(mesh_.point_count());
@@ -356,8 +360,7 @@ class OrderCodes {
                                             Coder::kWrites && left[k] == seen[old]))
                 ++k;
             seen[old] = left[k];
-            std::rotate(left.begin() + static_cast<std::ptrdiff_t>(k),
-                        left.begin() + static_cast<std::ptrdiff_t>(k) + 1, left.end());
+            for (; k < 3; ++k) std::swap(left[k], left[k + 1]);
         };
         take(0, 1, context);
         take(1, 2 + seen[0], std::min(context, 8u));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mesh/point3.h"
+#include "predict/border_plane.h"
 #include "predict/echoes.h"
 #include "predict/follows.h"
 #include "predict/grid.h"
@@ -29,6 +30,7 @@ struct PositionFormat {
     bool mirrored = false;      // tets, most of which are inside out
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
+    bool has_along = false;    // tets: new vertices may go on with the border
     bool has_follows = false;  // parts repeat: see follows.h
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
@@ -71,8 +73,8 @@ class PositionCodes {
         if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
         keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
-        is_plain_ =
-            format_.grid() && !format_.has_outliers && !format_.has_levels && !courses_ && !index_;
+        is_plain_ = format_.grid() && !format_.has_outliers && !format_.has_levels &&
+                    !format_.has_along && !courses_ && !index_;
     }
 
     void reserve(std::size_t vertices) {
@@ -93,11 +95,11 @@ class PositionCodes {
                 return true;
             }
         }
-        const Point3 g = guess_at(stencil);
+        Point3 g;
+        std::array<std::int64_t, 3> whole;  // of the guess
+        guess(stencil, g, whole);
         // The middle of an edge tells more than an echo.
         const bool edge = stencil.configuration == Configuration::edge;
-        std::array<std::int64_t, 3> whole;  // of the guess
-        for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] = whole_of(g[axis]);
         Found found;
         bool echoed = false;
         std::uint32_t family = 0;  // of contexts
@@ -117,12 +119,18 @@ class PositionCodes {
         }
         prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
                                                                                     : kNone;
-        sizes_.begin(stencil);
+        const bool along = format_.has_along && !echoed && code_along(stencil, truth);
+        const Stencil& guessed = along ? border_ : stencil;
+        if (along) guess(border_, g, whole);
+        sizes_.begin(guessed);
         const bool levels = format_.has_levels && !edge;
-        if (levels) levels_.begin(stencil);
+        if (levels) levels_.begin(guessed);
         Point3 value{}, exact{};
         bool sane = true;
-        for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
+        for (std::size_t step = 0; step < 3 && sane; ++step) {
+            const std::size_t axis = along ? plane_.axes()[step] : step;
+            const bool carried = along && step == 2;
+            if (carried) whole[axis] = whole_of(clamped(plane_.carried(g, value)));
             Number number = truth[axis];
             std::uint64_t size = 0;
             bool same = false;
@@ -152,7 +160,8 @@ class PositionCodes {
                     value[axis] = values_[levels_.vertex()][axis];
                     if (keeps_exact_) exact[axis] = exact_[levels_.vertex()][axis];
                 } else {
-                    size = code_whole(sizes_.scale(axis), whole[axis], number.whole);
+                    size = code_whole(carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step),
+                                      whole[axis], number.whole);
                 }
             }
             if (!same) {
@@ -164,6 +173,9 @@ class PositionCodes {
                 exact[axis] = s.exact;
             }
             sizes_.coded(axis, size);
+            if (carried)
+                sizes_.coded_off_plane(
+                    axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
         }
         if (echoed)
             sizes_.push_half();
@@ -181,7 +193,7 @@ class PositionCodes {
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
             std::int64_t whole = truth[axis].whole;
-            sizes_.coded(axis, code_whole(sizes_.scale(axis), whole_of(g[axis]), whole));
+            sizes_.coded(axis, code_whole(sizes_.scale(axis, axis), whole_of(g[axis]), whole));
             sane = whole < most_ && whole > -most_;
             if (sane) value[axis] = static_cast<double>(whole);
         }
@@ -261,18 +273,46 @@ class PositionCodes {
 
     Point3 guess_at(const Stencil& stencil) {
         Point3 g = predictor_.guess(stencil, values_);
-        const auto most = static_cast<double>(most_);
-        for (double& x : g) x = std::clamp(x, -most, most);
+        for (double& x : g) x = clamped(x);
         // A middle that was computed was rounded as the mesh's floats are.
         if (stencil.configuration == Configuration::edge && format_.narrow &&
             format_.numbers.base == NumberBase::binary)
             for (double& x : g) x = to_24_bits(x);
         return g;
     }
+    void guess(const Stencil& stencil, Point3& g, std::array<std::int64_t, 3>& whole) {
+        g = guess_at(stencil);
+        for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] = whole_of(g[axis]);
+    }
+    double clamped(double x) const {
+        const auto most = static_cast<double>(most_);
+        return std::clamp(x, -most, most);
+    }
     // The whole part nearest to a value; where there are digits behind the point they are cut off.
     std::int64_t whole_of(double units) const {
         return format_.numbers.digits > 0 ? static_cast<std::int64_t>(units)
                                           : whole_below(units + 0.5);
+    }
+
+    // Does the vertex go on with one of the borders beside its gate? Then it is guessed from there.
+    bool code_along(const Stencil& stencil, const Position& truth) {
+        std::uint32_t asked = 0;
+        for (std::size_t e = 0; e < 3; ++e) {
+            if ((stencil.borders >> e & 1) == 0) continue;
+            border_ = along_border(stencil, e);
+            plane_ = BorderPlane(border_, values_);
+            if (!plane_.exists()) continue;
+            const bool along = Coder::kWrites && lies_along(border_, values_, value_of(truth));
+            if (coder_.flag(ResidualContexts::along.at(asked++, plane_.opening()), along))
+                return true;
+        }
+        return false;
+    }
+    Point3 value_of(const Position& truth) const {
+        Point3 value;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            value[axis] = scaled_of(format_.numbers, truth[axis]).units;
+        return value;
     }
 
     // The nearest vertex that any echo leads to. The echo that served last is enough while it leads
@@ -407,6 +447,8 @@ class PositionCodes {
     std::uint64_t without_ = 0;  // vertices since an echo served
     std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
     Id prior_ = kNone;
+    Stencil border_;  // of the vertex that goes on with a border, and the plane of that
+    BorderPlane plane_;
 };
 
 }  // namespace ravel

@@ -24,7 +24,7 @@ struct Features {
 
 // Those with weights.
 inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::edge);
-inline constexpr std::array<std::size_t, kConfigurations> kFeatureCount{2, 5, 6, 10, 3, 3, 7};
+inline constexpr std::array<std::size_t, kConfigurations> kFeatureCount{2, 5, 6, 10, 3, 3, 7, 5};
 
 using Weights = std::array<std::array<std::int16_t, kFeatures>, kConfigurations>;
 inline constexpr Weights kDefaultWeights{{
@@ -35,12 +35,14 @@ inline constexpr Weights kDefaultWeights{{
     {0},
     {2048, 0, 1024},
     {0, -256, 1400, 800, 600, 2800, 0},
+    {800, 0, 2400, 0, 0},
 }};
 
-// But for tets base and features are sums of the stencil's points, each so many times. A sum that
-// names a missing point is none.
+// But for tet and border base and features are sums of the stencil's points, each so many times. A
+// sum that names a missing point is none.
 using Sum = std::array<std::int8_t, kStencilSize>;
-inline constexpr std::array<std::array<Sum, 1 + kFeatures>, kConfigurations - 1> kSums{{
+inline constexpr std::size_t kSumConfigurations = static_cast<std::size_t>(Configuration::tet);
+inline constexpr std::array<std::array<Sum, 1 + kFeatures>, kSumConfigurations> kSums{{
     // seed: the base is the last vertex
     {{{1}, {1, -1}, {0, 1, -1}}},
     // quad_third [b a v_b u_a w_b w_a]: b carried on
@@ -88,6 +90,14 @@ inline bool names_missing(const Sum& sum, const Stencil& stencil) {
     return false;
 }
 
+inline std::array<Point3, kStencilSize> points_of(const Stencil& stencil,
+                                                  const std::vector<Point3>& values) {
+    std::array<Point3, kStencilSize> p{};
+    for (std::size_t i = 0; i < kStencilSize; ++i)
+        if (stencil.at[i] != kNone) p[i] = values[stencil.at[i]];
+    return p;
+}
+
 // x0 x1 x2 o y0 y1 y2: the gate, the apex behind it, the apexes across its edges.
 // Up is where the gate runs counter-clockwise, or clockwise where tets are `mirrored`.
 inline void tet_features(const std::array<Point3, kStencilSize>& p, bool mirrored, Features& f) {
@@ -129,20 +139,45 @@ inline void tet_features(const std::array<Point3, kStencilSize>& p, bool mirrore
     f.feature[6] = times(pull, 1 / all);
 }
 
+// a b y z: from the middle of the edge away from y, as far as y is, as the edge is long, as the
+// others are; up from the triangle; and to z.
+inline void border_features(const std::array<Point3, kStencilSize>& p, Features& f) {
+    const Point3 u = minus(p[1], p[0]), n = cross(u, minus(p[2], p[0]));
+    const double square = dot(n, n), edge = length(u);
+    f.base = times(plus(p[0], p[1]), 0.5);
+    f.feature[0] = minus(f.base, p[2]);
+    if (square > 0) {
+        const Point3 up = times(n, 1 / std::sqrt(square));
+        const Point3 away = cross(u, up);  // as long as the edge
+        f.feature[1] = away;
+        f.feature[2] =
+            times(away, (length(minus(p[2], p[0])) + length(minus(p[2], p[1]))) / (2 * edge));
+        f.feature[3] = times(up, edge);
+    }
+    f.feature[4] = minus(p[3], f.base);
+}
+
+// Of tet and border.
+inline Features features_of_shape(const Stencil& stencil, const std::vector<Point3>& values,
+                                  bool mirrored) {
+    Features f;
+    const auto p = points_of(stencil, values);
+    if (stencil.configuration == Configuration::tet)
+        tet_features(p, mirrored, f);
+    else
+        border_features(p, f);
+    return f;
+}
+
 }  // namespace detail
 
 // `values` are of all vertices so far; `mirrored`: tets, most of which are inside out.
 inline Features features_of(const Stencil& stencil, const std::vector<Point3>& values,
                             bool mirrored) {
-    Features f;
-    std::array<Point3, kStencilSize> p{};
-    for (std::size_t i = 0; i < kStencilSize; ++i)
-        if (stencil.at[i] != kNone) p[i] = values[stencil.at[i]];
     const auto c = static_cast<std::size_t>(stencil.configuration);
-    if (stencil.configuration == Configuration::tet) {
-        detail::tet_features(p, mirrored, f);
-        return f;
-    }
+    if (c >= kSumConfigurations) return detail::features_of_shape(stencil, values, mirrored);
+    Features f;
+    const auto p = detail::points_of(stencil, values);
     for (std::size_t k = 0; k <= kFeatureCount[c]; ++k) {
         const Sum& sum = kSums[c][k];
         if (detail::names_missing(sum, stencil)) continue;
@@ -153,8 +188,8 @@ inline Features features_of(const Stencil& stencil, const std::vector<Point3>& v
     return f;
 }
 
-// Guesses by given weights. But for tets a guess is a sum of factor * point over 4096, in the order
-// of the stencil; factors are integers.
+// Guesses by given weights. But for tet and border a guess is a sum of factor * point over 4096, in
+// the order of the stencil; factors are integers.
 class Predictor {
   public:
     Predictor(const Weights& weights, bool mirrored) : weights_(weights), mirrored_(mirrored) {
@@ -162,7 +197,9 @@ class Predictor {
     }
 
     Point3 guess(const Stencil& stencil, const std::vector<Point3>& values) {
-        if (stencil.configuration == Configuration::tet) return guess_tet(stencil, values);
+        if (stencil.configuration == Configuration::tet ||
+            stencil.configuration == Configuration::border)
+            return guess_by_features(stencil, values);
         if (stencil.configuration == Configuration::edge)
             return detail::times(detail::plus(values[stencil.at[0]], values[stencil.at[1]]), 0.5);
         Factors& factors =
@@ -207,9 +244,9 @@ class Predictor {
             }
     }
 
-    Point3 guess_tet(const Stencil& stencil, const std::vector<Point3>& values) const {
-        const Features f = features_of(stencil, values, mirrored_);
-        constexpr auto c = static_cast<std::size_t>(Configuration::tet);
+    Point3 guess_by_features(const Stencil& stencil, const std::vector<Point3>& values) const {
+        const Features f = detail::features_of_shape(stencil, values, mirrored_);
+        const auto c = static_cast<std::size_t>(stencil.configuration);
         Point3 sum{};
         for (std::size_t i = 0; i < kFeatureCount[c]; ++i)
             sum = detail::plus(sum, detail::times(f.feature[i], weights_[c][i]));
@@ -218,7 +255,7 @@ class Predictor {
 
     Weights weights_;
     bool mirrored_;
-    std::array<std::array<Factors, kVariants>, kConfigurations - 1> known_;
+    std::array<std::array<Factors, kVariants>, kSumConfigurations> known_;
 };
 
 }  // namespace ravel

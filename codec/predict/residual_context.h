@@ -35,7 +35,8 @@ struct ResidualContexts {
     static constexpr ContextBlock level{rest_zero.end(), 8, 12, 4, 2};
     static constexpr ContextBlock follow{level.end(), 8, 2};
     static constexpr ContextBlock follow_same{follow.end(), 3, 4};
-    static constexpr Context count = follow_same.end();
+    static constexpr ContextBlock along{follow_same.end(), 3, 16};
+    static constexpr Context count = along.end();
 };
 
 // What a residual is expected to be like.
@@ -76,6 +77,12 @@ class ResidualSizes {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 sum[axis] += magnitudes_[stencil.at[i]][axis];
         }
+        off_sum_ = off_count_ = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (stencil.at[i] < off_plane_.size() && off_plane_[stencil.at[i]] != kNone) {
+                off_sum_ += off_plane_[stencil.at[i]];
+                ++off_count_;
+            }
         usual_of_ = &usual_[static_cast<std::size_t>(stencil.configuration)];
         const std::uint64_t all = sum[0] + sum[1] + sum[2];
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,15 +94,32 @@ class ResidualSizes {
         now_ = {};
         done_ = 0;
     }
-    Scale scale(std::size_t axis) const {
+    // Of the axis that is coded as the `step`-th.
+    Scale scale(std::size_t axis, std::size_t step) const {
         std::uint64_t e = expected_[axis];
-        if (axis == 1) e = (13 * e + 3 * 16 * done_) >> 4;
-        if (axis == 2) e = (23 * e + 9 * 8 * done_) >> 5;
+        if (step == 1) e = (13 * e + 3 * 16 * done_) >> 4;
+        if (step == 2) e = (23 * e + 9 * 8 * done_) >> 5;
         return scale_of(e);
+    }
+    // Of the last axis of a vertex that goes on with a border: how far off its plane it is.
+    Scale scale_off_plane() const {
+        const std::uint64_t near = off_count_ == 0 ? usual_off_ : part(16 * off_sum_, off_count_);
+        return scale_of((29 * near + 3 * usual_off_) >> 5);
     }
     void coded(std::size_t axis, std::uint64_t magnitude) {
         now_[axis] = static_cast<std::uint32_t>(std::min(magnitude, kMost));
         done_ += now_[axis];
+    }
+    // After the last axis of such a vertex; `by_guess`: the axis' magnitude, had there been no
+    // plane.
+    void coded_off_plane(std::size_t axis, std::uint64_t by_guess) {
+        const std::uint32_t off = std::min(now_[axis], kNone - 1);
+        expect(usual_off_, off);
+        off_plane_.resize(magnitudes_.size(), kNone);
+        off_plane_.push_back(off);
+        done_ -= now_[axis];
+        now_[axis] = 0;
+        coded(axis, by_guess);
     }
     void push() {
         magnitudes_.push_back(now_);
@@ -114,6 +138,8 @@ class ResidualSizes {
     }
 
     std::vector<Magnitudes> magnitudes_;
+    std::vector<std::uint32_t> off_plane_;  // kNone, or it ends, where no plane was gone on with
+    std::uint64_t off_sum_ = 0, off_count_ = 0, usual_off_ = kStart;
     std::array<std::uint64_t, static_cast<std::size_t>(Configuration::count)> usual_;
     std::uint64_t* usual_of_ = nullptr;
     std::array<std::uint64_t, 3> expected_{};

@@ -148,7 +148,10 @@ class TetWalk {
         if (kind == Apex::fresh) {
             Stencil stencil = stencil_of(Configuration::tet,
                                          {t.vertex[0], t.vertex[1], t.vertex[2], vertex[gate]});
-            for (Id e = 0; e < 3; ++e) stencil.at[4 + e] = front_.apex_across(t, e);
+            for (Id e = 0; e < 3; ++e) {
+                stencil.at[4 + e] = front_.apex_across(t, e);
+                stencil.borders |= static_cast<std::uint8_t>(front_.across(t, e).border << e);
+            }
             if (!add_vertex(base + 3, stencil)) return false;
         } else {
             if (apex >= walked_.vertex_count || is_in(t, apex)) return false;
@@ -172,7 +175,7 @@ class TetWalk {
                                   driver_.place(gate.vertex[2]), limits_.mirrored);
         list_.clear(family.unit());
         const std::uint32_t borders = offer_folds(gate, family);
-        offer_near(gate, family);
+        if (!is_closed_in()) offer_near(gate, family);
         const auto answer = [&](const ApexCandidate& candidate) {
             kind = candidate.times > 0 ? Apex::fold : Apex::old;
             return candidate.vertex;
@@ -204,6 +207,13 @@ class TetWalk {
         }
         kind = Apex::old;
         return code_far(gate, family, truth);
+    }
+
+    // Is an apex above, and across two edges? Then it is the one, nearly always.
+    bool is_closed_in() const {
+        for (std::size_t i = 0; i < list_.size(); ++i)
+            if (list_[i].above && list_[i].times >= 2) return true;
+        return false;
     }
 
     // The apexes across the gate's edges. Returns how many of them lie across borders.

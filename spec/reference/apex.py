@@ -67,7 +67,7 @@ class Apex:
                 c.fan = max(c.fan, walk.fan[3 * self.gate + e])
                 c.beyond_border = False
         # 2
-        if not spheres.flat:
+        if not spheres.flat and not any(c.above() and c.times >= 2 for c in list):
             self.find_near()
         self.put_in_order()
         # 3

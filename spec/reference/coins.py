@@ -116,13 +116,14 @@ def make_positions_head(head):
     p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
     p.has_levels = coin(0.5)
     p.has_follows = coin(0.5)
+    p.has_along = head.tets and coin(0.6)
     if head.lossless:
         p.places = random.randrange(8) if p.base == DECIMAL else random.choice((0, 3, 24, 52, -5, 1000, -1000))
         p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
     has_echoes = coin(0.5)
-    fitted = random.getrandbits(7) & random.getrandbits(7)
-    out = bytes([p.has_outliers << 2 | p.has_minus_zero << 3 | p.base << 4 | has_echoes << 6 | p.has_levels << 7,
-                 fitted | p.has_follows << 7])
+    fitted = random.getrandbits(8) & random.getrandbits(8)
+    flags = p.has_follows | p.has_along << 1 | p.has_outliers << 2 | p.has_minus_zero << 3
+    out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7, fitted])
     if head.lossless:
         out += varint(zigzag(p.places)) + bytes([p.digits])
     if has_echoes:
@@ -222,7 +223,7 @@ def damage(data):
 
 
 def whole_file(sections):
-    return b"Rav1\x02" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
+    return b"Rav1\x03" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
 
 
 def section(id, data):

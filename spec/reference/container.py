@@ -19,8 +19,8 @@ def read_sections(data):
         raise Invalid("not_a_ravel_file", "no magic")
     if len(data) == 4:
         raise Invalid("truncated", "no version")
-    if data[4:5] != b"\x02":
-        raise Invalid("unsupported_version", "version is not 2")
+    if data[4:5] != b"\x03":
+        raise Invalid("unsupported_version", "version is not 3")
     file = Bytes(data, "truncated", 5)
     sections = {}
     last = 0
@@ -187,9 +187,9 @@ def read_block(data, tets):
 
 def check_memory(head, block, sections, limit):
     """15: what the code beside the specification may take. This decoder takes more."""
-    P, Q, V = (88 if head.tets else 52), 80, 360
+    P, Q, V = (96 if head.tets else 52), 80, 396
     if head.keeps_order:
-        P, Q, V = P + 24, 192, 416
+        P, Q, V = P + 24, 192, 452
     if block.edge_points:
         Q += 168
     need = block.corners * P + block.cells * Q + (block.vertices + block.unused_points) * V

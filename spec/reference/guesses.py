@@ -4,10 +4,14 @@ import math
 
 from conventions import NONE, cross, divide, dot, length, minus, plus, times
 
-NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "edge")
+NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "border", "edge")
 NUMBER = {name: i for i, name in enumerate(NAMES)}
-WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7)
-DEFAULTS = {"polygon": [2048, 0, 1024], "tet": [0, -256, 1400, 800, 600, 2800, 0]}
+WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7, 5)
+DEFAULTS = {
+    "polygon": [2048, 0, 1024],
+    "tet": [0, -256, 1400, 800, 600, 2800, 0],
+    "border": [800, 0, 2400, 0, 0],
+}
 
 
 def _row(text):
@@ -38,6 +42,8 @@ def guess(configuration, stencil, value, weights, mirrored):
     """g on each axis; `stencil` has 11 places, `value` the values of the vertices."""
     if configuration == "tet":
         return _guess_tet([value[v] for v in stencil[:7]], weights, mirrored)
+    if configuration == "border":
+        return _guess_border([value[v] for v in stencil[:4]], weights)
     total = [0] * 11
     for row, w in zip(ROWS[configuration], [4096] + weights):
         if any(factor != 0 and stencil[i] == NONE for i, factor in enumerate(row)):
@@ -100,3 +106,24 @@ def _guess_tet(p, weights, mirrored):
     for i in range(7):
         sum = plus(sum, times(t[i], float(weights[i])))
     return tuple(middle[axis] + sum[axis] / 4096 for axis in range(3))
+
+
+def _guess_border(p, weights):
+    u = minus(p[1], p[0])
+    n = cross(u, minus(p[2], p[0]))
+    square = dot(n, n)
+    edge = length(u)
+    base = times(plus(p[0], p[1]), 0.5)
+    t = [(0.0, 0.0, 0.0)] * 5
+    t[0] = minus(base, p[2])
+    if square > 0:
+        up = times(n, 1 / math.sqrt(square))
+        away = cross(u, up)
+        t[1] = away
+        t[2] = times(away, (length(minus(p[2], p[0])) + length(minus(p[2], p[1]))) / (2 * edge))
+        t[3] = times(up, edge)
+    t[4] = minus(p[3], base)
+    sum = (0.0, 0.0, 0.0)
+    for i in range(5):
+        sum = plus(sum, times(t[i], float(weights[i])))
+    return tuple(base[axis] + sum[axis] / 4096 for axis in range(3))

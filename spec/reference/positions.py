@@ -4,12 +4,13 @@ import math
 from types import SimpleNamespace
 
 import guesses
+from along import Along
 from conventions import NONE, Bytes, clamp, i64, scale, to_24_digits, width
 from echoes import Echoes
 from errors import require
 from followers import Followers
 from guesses import NUMBER
-from sizes import Sizes
+from sizes import MOST32, Sizes, scale_of
 
 GRID, DECIMAL, BINARY = range(3)
 
@@ -19,7 +20,9 @@ def read_positions_head(data, head):
     bytes = Bytes(data)
     p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False)
     flags = bytes.u8()
-    require(flags & 3 == 0, "bits 0-1 of positions.flags")
+    p.has_follows = bool(flags & 1)
+    p.has_along = bool(flags & 2)
+    require(head.tets or not p.has_along, "has_along of polygons")
     p.has_outliers = bool(flags & 4)
     p.has_minus_zero = bool(flags & 8)
     p.base = flags >> 4 & 3
@@ -28,7 +31,6 @@ def read_positions_head(data, head):
     require(p.base != 3 and (p.base == GRID) == (not head.lossless), "base")
     require(head.lossless or not p.has_minus_zero, "has_minus_zero of a grid")
     fitted = bytes.u8()
-    p.has_follows = bool(fitted & 128)
     if head.lossless:
         p.places = bytes.zigzag()
         p.digits = bytes.u8()
@@ -90,6 +92,7 @@ class Positions:
         self.sizes = Sizes(stream, len(guesses.NAMES))
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
+        self.along = Along(self) if p.has_along else None
         self.prior = NONE
         self.same_history = 0
         self.follow_same_history = 0
@@ -158,7 +161,7 @@ class Positions:
 
     # 8.4
 
-    def read(self, configuration, stencil):
+    def read(self, configuration, stencil, borders=()):
         stencil = stencil + [NONE] * (11 - len(stencil))
         v = len(self.value)
         sizes = self.sizes
@@ -203,11 +206,26 @@ class Positions:
             self.prior = leader
         elif echo and self.head.echoes[echo[1]][0] == 0:
             self.prior = echo[0]
-        # 7
+        # 6
+        border = None
+        if self.along and not follows and not echo:
+            border = self.along.read(stencil, borders)
+        if border:
+            configuration = "border"
+            stencil = border.stencil
+            guess = self.guess(configuration, stencil)
+            w = [self.whole_of(x) for x in guess]
+            # 7
+            sizes.begin(stencil[:3], NUMBER[configuration], border.order)
+        # 8
         value = [0.0] * 3
         coordinate = [None] * 3
-        for k in range(3):
-            # 7.1
+        for k in sizes.order:
+            off_plane = None
+            if border and k == border.last:
+                w[k] = self.whole_of(clamp(border.on_plane(guess, value), -float(self.M), float(self.M)))
+                off_plane = self.along.expected(border)
+            # 8.1
             same = False
             level = None
             if echo:
@@ -219,7 +237,7 @@ class Positions:
             elif not follows and self.head.has_levels and not on_edge:
                 level = self.read_level(configuration, stencil, k, w[k])
                 same = level is not None
-            # 7.2
+            # 8.2
             if same:
                 if level is not None:
                     value[k] = self.value[level][k]
@@ -229,18 +247,22 @@ class Positions:
                     coordinate[k] = coordinate_said[k]
                     require(abs(value[k]) < self.M, "the value of an echo or of a leader")
                 continue
-            # 7.3
+            # 8.3
             if echo:
                 residual = sizes.residual(k, 96 + k)
             elif follows:
                 residual = sizes.residual(k, 99 + k)
             else:
-                residual = sizes.residual(k)
+                residual = sizes.residual(k, e=off_plane)
             whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
             require(-self.M < whole < self.M, "whole")
             told = guess[k] if on_edge and residual == 0 else None
             value[k], coordinate[k] = self.value_and_coordinate(whole, *self.behind_the_point(k, whole, told))
-        # 8
+        if border:
+            k = border.last
+            self.along.keep(v, sizes.r[k])
+            sizes.r[k] = min(math.trunc(abs(value[k] - guess[k]) + 0.5), MOST32)
+        # 9
         sizes.keep(v, sizes.half if follows or echo else None)
         self.add(tuple(value), tuple(coordinate))
         if self.followers:
@@ -322,9 +344,7 @@ class Positions:
         one = 10**e if self.base == DECIMAL else 2**e
         near = int((abs(told) - float(abs(whole))) * float(one) + 2.0**52 - 2.0**52)
         usual = self.usual_rest[axis]
-        b = width(usual + 1) - 1
-        half = 1 if ((usual + 1) << 15) >> b >= 46341 else 0
-        residual = self.stream.residual(min(2 * b + half, 95), 2 if b < 5 else b - 3)
+        residual = self.stream.residual(*scale_of(usual))
         size = min(abs(residual), 2**53)
         self.usual_rest[axis] = usual + ((16 * size + 31) >> 5) - ((usual + 31) >> 5)
         rest = (near + residual) % 2**64

@@ -5,6 +5,13 @@ from conventions import width
 MOST32 = 2**32 - 1
 
 
+def scale_of(e):
+    """The expected size by e: context and bits."""
+    b = width(e + 1) - 1
+    half = 1 if ((e + 1) << 15) >> b >= 46341 else 0
+    return min(2 * b + half, 95), 2 if b < 5 else b - 3
+
+
 class Sizes:
     """Magnitudes per element and slot, and `usual` per configuration."""
 
@@ -13,11 +20,12 @@ class Sizes:
         self.usual = [256] * configurations
         self.magnitudes = {}
 
-    def begin(self, near, configuration):
-        """`near`: up to three elements that have magnitudes."""
+    def begin(self, near, configuration, order=(0, 1, 2)):
+        """`near`: up to three elements that have magnitudes; `order`: in which slots are read."""
         n = len(near)
         usual = self.usual[configuration]
         self.configuration = configuration
+        self.order = list(order)
         sums = [sum(self.magnitudes[p][k] for p in near) for k in range(3)]
         self.expected = []
         for k in range(3):
@@ -26,28 +34,25 @@ class Sizes:
         self.half = [sums[k] // n // 2 if n else 0 for k in range(3)]
         self.r = [0, 0, 0]
 
-    def residual(self, k, context=None):
-        """A residual of slot k, under its scale or under a context with bits 2."""
-        if context is None:
-            context, bits = self.scale(k)
-        else:
+    def residual(self, k, context=None, e=None):
+        """A residual of slot k, under its scale, under a context with bits 2 or by an e of its own."""
+        if context is not None:
             bits = 2
+        else:
+            context, bits = scale_of(self.e(k) if e is None else e)
         residual = self.stream.residual(context, bits)
         self.r[k] = min(abs(residual), MOST32)
         return residual
 
-    def scale(self, k):
-        """The expected size: context and bits."""
-        done = sum(self.r[:k])
-        if k == 0:
-            e = self.expected[0]
-        elif k == 1:
-            e = (13 * self.expected[1] + 48 * done) >> 4
-        else:
-            e = (23 * self.expected[2] + 72 * done) >> 5
-        b = width(e + 1) - 1
-        half = 1 if ((e + 1) << 15) >> b >= 46341 else 0
-        return min(2 * b + half, 95), 2 if b < 5 else b - 3
+    def e(self, k):
+        """By the slots that come before slot k."""
+        at = self.order.index(k)
+        done = sum(self.r[j] for j in self.order[:at])
+        if at == 0:
+            return self.expected[k]
+        if at == 1:
+            return (13 * self.expected[k] + 48 * done) >> 4
+        return (23 * self.expected[k] + 72 * done) >> 5
 
     def keep(self, element, magnitudes=None):
         """The magnitudes of an element: given, or those of its residuals, which change `usual`."""

@@ -104,7 +104,8 @@ class TetWalk(Walk):
         kind, apex = Apex(self, gate, corners).read()
         if kind == "fresh":
             across = [self.apex_across(gate, e) for e in range(3)]
-            self.new_vertex(base + 3, "tet", [*corners, self.vertex[gate], *across])
+            borders = [e for e in range(3) if self.state[self.across(gate, e)] == BORDER]
+            self.new_vertex(base + 3, "tet", [*corners, self.vertex[gate], *across], borders)
         else:
             require(apex < self.vertex_count and apex not in corners, "apex that is a corner of the gate")
             self.vertex[base + 3] = apex

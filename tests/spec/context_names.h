@@ -48,7 +48,8 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"rest_zero", R::rest_zero},
                                                 {"level", R::level},
                                                 {"follow", R::follow},
-                                                {"follow_same", R::follow_same}};
+                                                {"follow_same", R::follow_same},
+                                                {"along", R::along}};
     return blocks;
 }
 

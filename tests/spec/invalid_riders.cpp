@@ -42,7 +42,7 @@ void tell_residuals(ForcedWriter& out, const std::vector<std::int64_t>& residual
         near.configuration = static_cast<Configuration>(e > 0 ? 1 : 0);
         if (e > 0) near.at[0] = e - 1;
         sizes.begin(near);
-        sizes.coded(0, magnitude(code_residual(out, sizes.scale(0), r)));
+        sizes.coded(0, magnitude(code_residual(out, sizes.scale(0, 0), r)));
         sizes.push();
         ++e;
     }
@@ -196,7 +196,7 @@ void InvalidMaker::attributes() {
             sizes.begin({});
             std::size_t slot = 0;
             for (const std::int64_t r : residuals) {
-                sizes.coded(slot, magnitude(code_residual(out, sizes.scale(slot), r)));
+                sizes.coded(slot, magnitude(code_residual(out, sizes.scale(slot, slot), r)));
                 ++slot;
             }
         });

@@ -85,7 +85,7 @@ void InvalidMaker::positions() {
         add(row, name, says,
             raw_changed(file, SectionId::positions, [&](Bytes& raw) { raw[at] = byte(value); }));
     };
-    head(38, "bit-0", "bit 0 of flags", "two-quads", 0, 1);
+    head(38, "along", "polygons that go on with a border", "two-quads", 0, 2);
     head(38, "base", "a decimal base without lossless", "two-quads", 0, 16);
     head(38, "base-3", "base is 3", "decimals", 0, 48);
     head(39, "places", "23 decimal places", "decimals", 2, 46);

@@ -66,7 +66,8 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
     format.numbers.has_minus_zero = (flags & 8) != 0;
     format.numbers.base = static_cast<NumberBase>(flags >> 4 & 3);
     format.has_levels = (flags & 128) != 0;
-    format.has_follows = (fitted & 128) != 0;
+    format.has_follows = (flags & 1) != 0;
+    format.has_along = (flags & 2) != 0;
     if (head.lossless) {
         format.numbers.places = static_cast<int>(f.signed_varint("places"));
         format.numbers.digits = static_cast<int>(f.u8("digits"));

@@ -131,8 +131,9 @@ struct TraceCoder {
     std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
 };
 
-constexpr const char* kConfigurationName[] = {
-    "seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "edge"};
+constexpr const char* kConfigurationName[] = {"seed",        "quad_third", "quad_fourth",
+                                              "quad_corner", "triangle",   "polygon",
+                                              "tet",         "border",     "edge"};
 
 class TraceDriver {
   public:
@@ -183,7 +184,10 @@ class TraceDriver {
         while (count > 0 && stencil.at[count - 1] == kNone) --count;
         text += " [";
         for (std::size_t i = 0; i < count; ++i) text += (i ? " " : "") + id_text(stencil.at[i]);
-        text += "], value";
+        text += "]";
+        for (std::size_t e = 0; e < 3; ++e)
+            if (stencil.borders >> e & 1) text += ", border " + std::to_string(e);
+        text += ", value";
         for (const double x : positions_.values().back()) text += " " + number_text(x);
         telling_.detail(text + "\n");
     }

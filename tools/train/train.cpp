@@ -56,7 +56,7 @@ struct Learnt {
 
 void learn_residuals(const Complex& complex, const Course& course, PositionPlan& plan,
                      Tally& into) {
-    write_positions(plan, complex, course.record, {});  // chooses the format
+    write_positions(plan, complex, course.record, {}, {}, false);  // chooses the format
     ResidualTape tape;
     PositionCodes<ResidualTape> codes(tape, plan.format, course.record.vertex_of.size());
     for (std::size_t v = 0; v < course.record.vertex_of.size(); ++v) {
@@ -83,14 +83,15 @@ bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
     return true;
 }
 
-// The letter whose chance is nearest in the logarithm of the rarer answer.
+// The letter whose chance is nearest in the logarithm of the rarer answer, of every other letter:
+// that costs next to nothing, and decoders for the web carry them all.
 char letter_of(const std::array<double, 2>& count) {
     if (count[0] + count[1] < 2) return 'P';
     const double yes = (count[1] + 0.4) / (count[0] + count[1] + 0.8);
     const double rare = std::log(std::min(yes, 1 - yes) + 1e-4);
     int best = 0;
     double least = 1e9;
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 1; i < 16; i += 2) {
         const double off =
             std::abs(std::log(kPriorChance[static_cast<std::size_t>(i)] / 65536.0) - rare);
         if (off < least) least = off, best = i;

@@ -1,0 +1,71 @@
+// A new vertex of a tet that goes on with the border beyond an edge of the gate lies in the plane
+// of the border's triangle there, or nearly so. The plane tells one coordinate from the other two.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/point3.h"
+#include "mesh/stencil.h"
+
+namespace ravel {
+
+// The stencil of a vertex that goes on with the border across edge e of a tet's gate.
+inline Stencil along_border(const Stencil& tet, std::size_t e) {
+    return stencil_of(Configuration::border,
+                      {tet.at[(e + 1) % 3], tet.at[(e + 2) % 3], tet.at[4 + e], tet.at[e]});
+}
+
+class BorderPlane {
+  public:
+    BorderPlane() = default;
+    // Of a `border` stencil.
+    BorderPlane(const Stencil& stencil, const std::vector<Point3>& values) {
+        const Point3& foot = values[stencil.at[0]];
+        const Point3 edge = minus(values[stencil.at[1]], foot);
+        normal_ = cross(edge, minus(values[stencil.at[2]], foot));
+        square_ = dot(normal_, normal_);
+        std::size_t last = 0;
+        for (std::size_t axis = 1; axis < 3; ++axis)
+            if (std::abs(normal_[axis]) >= std::abs(normal_[last])) last = axis;
+        axes_ = {last == 0 ? std::size_t{1} : 0, last == 2 ? std::size_t{1} : 2, last};
+        const Point3 gate = cross(minus(values[stencil.at[3]], foot), edge);
+        const double d = dot(gate, normal_), q = dot(gate, gate) * square_;
+        if (q > 0)
+            opening_ = static_cast<std::uint32_t>(std::clamp(8 + 8 * d / std::sqrt(q), 0.0, 15.0));
+    }
+    // Has the triangle an area?
+    bool exists() const { return square_ > 0; }
+    // How far the gate is turned from the triangle, in classes: 0 lies on it, 15 goes straight on.
+    std::uint32_t opening() const { return opening_; }
+    // The axes in the order in which they are coded: that across which the plane lies comes last.
+    const std::array<std::size_t, 3>& axes() const { return axes_; }
+    // The last coordinate in the plane's parallel through `guess`, the others being known.
+    double carried(const Point3& guess, const Point3& value) const {
+        const auto [a, b, last] = axes_;
+        return guess[last] -
+               (normal_[a] * (value[a] - guess[a]) + normal_[b] * (value[b] - guess[b])) /
+                   normal_[last];
+    }
+
+  private:
+    Point3 normal_{};
+    double square_ = 0;
+    std::array<std::size_t, 3> axes_{};
+    std::uint32_t opening_ = 0;
+};
+
+// Does a vertex lie near the plane, beside the length of the edge? What a writer goes by.
+inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
+                       const Point3& value) {
+    const Point3& foot = values[border.at[0]];
+    const Point3 edge = minus(values[border.at[1]], foot);
+    const Point3 normal = cross(edge, minus(values[border.at[2]], foot));
+    const double d = dot(minus(value, foot), normal);
+    return 16 * d * d < dot(edge, edge) * dot(normal, normal);
+}
+
+}  // namespace ravel
