@@ -15,3 +15,20 @@ ravel -q compare torus.obj --codecs ravel,zstd --csv | cut -d, -f1-5
 ravel -q compare torus.obj --codecs ravel --markdown | head -2 | tail -1
 ravel -q compare torus.obj --codecs ravel --html page.html >text; grep -q '"codec":"ravel"\|<td class="word">ravel</td>' page.html && echo page
 ravel -q compare torus.obj --codecs gzip; echo "unknown codec $?"
+# A quadratic tet goes to ravel with its edges' nodes.
+cat >ten.vtk <<'P'
+# vtk DataFile Version 4.2
+ten
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 10 float
+0 0 0 8 0 0 0 8 0 0 0 8
+4 0 0 4 4 0 0 4 0 0 0 4 4 0 4 0 4 4
+CELLS 1 11
+10 0 1 2 3 4 5 6 7 8 9
+CELL_TYPES 1
+24
+P
+ravel -q compare ten.vtk --codecs ravel,xz --json >rows; echo "quadratic $?"
+python3 -c 'import json; print(*[(r["vertices"], r["connectivity_kept"], r["note"]) for r in json.load(open("rows"))])'
+python3 -c 'import json; print("with its edges:", json.load(open("rows"))[0]["attribute_bytes"] > 0)'
