@@ -76,6 +76,27 @@ TEST_CASE("STL with several solids keeps them apart, also those without triangle
     CHECK(trouble_reading_again("a.stl", text) == "");
 }
 
+TEST_CASE("STL text has no zeros, and its names no line ends", "[io][stl]") {
+    std::string text = "solid a\n" + std::string(2000, ' ') + "\nendsolid a\n";
+    CHECK(read_bytes("a.stl", text));
+    text.replace(1500, 1, 1, '\0');
+    CHECK(!read_bytes("a.stl", text));
+    Result<Mesh> mesh = read_bytes(
+        "a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                 "vertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+    REQUIRE(mesh);
+    for (const std::string name : {std::string("a\0b", 3), std::string("a\nfacet")}) {
+        mesh->notes = {{"stl:name", name}};
+        const TempFolder folder;
+        std::vector<std::string> left_out;
+        REQUIRE(io::write_mesh(*mesh, folder / "a.stl", {}, &left_out));
+        CHECK(!left_out.empty());
+        const Result<Mesh> again = io::read_mesh(folder / "a.stl");
+        REQUIRE(again);
+        CHECK(again->cell_count() == 1);
+    }
+}
+
 TEST_CASE("STL text keeps float64 coordinates and binary STL refuses them", "[io][stl]") {
     std::string text = kTwo;
     text.replace(text.find("1 0 0"), 5, "0.123456789012345 0 0");

@@ -206,7 +206,7 @@ bool is_text(std::string_view bytes) {
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return false;
     return same_word(bytes.substr(first, 5), "solid") &&
-           bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+           bytes.find('\0') == std::string_view::npos;
 }
 
 Status check_triangles(const Mesh& mesh, const std::string& path) {
@@ -246,7 +246,14 @@ Status write_text(const Mesh& mesh, const std::string& path, LeftOut& left_out) 
     const Note* name = find_note(mesh, "stl:name");
     left_out.take_notes("stl:name");
 
-    std::string out, solid_name = name ? name->text : "";
+    // A name ends with its line, and a zero would make the file a binary one.
+    bool odd_name = false;
+    const auto of_a_line = [&](const std::string& text) {
+        const bool odd = text.find_first_of(std::string_view("\0\r\n", 3)) != std::string::npos;
+        odd_name = odd_name || odd;
+        return odd ? std::string() : text;
+    };
+    std::string out, solid_name = name ? of_a_line(name->text) : "";
     const auto tuple = [&](std::string_view before, const Array* array, Index i) {
         out += before;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -267,7 +274,7 @@ Status write_text(const Mesh& mesh, const std::string& path, LeftOut& left_out) 
     std::int64_t now = 0;
     const auto named = [&](std::int64_t number) {
         const TagName* tag = find_tag_name(mesh, "stl:solid", number);
-        return tag ? tag->name : std::string();
+        return tag ? of_a_line(tag->name) : std::string();
     };
     if (solids) solid_name = named(0);
     begin();
@@ -292,6 +299,8 @@ Status write_text(const Mesh& mesh, const std::string& path, LeftOut& left_out) 
         begin();
     }
     end();
+    if (odd_name)
+        left_out.say("names of solids that hold line ends or zeros have no place in STL");
     return write_file(path, out);
 }
 
