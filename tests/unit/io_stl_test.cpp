@@ -81,11 +81,12 @@ TEST_CASE("STL text has no zeros, and its names no line ends", "[io][stl]") {
     CHECK(read_bytes("a.stl", text));
     text.replace(1500, 1, 1, '\0');
     CHECK(!read_bytes("a.stl", text));
-    Result<Mesh> mesh = read_bytes(
-        "a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                 "vertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+    Result<Mesh> mesh =
+        read_bytes("a.stl",
+                   "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                   "vertex 0 1 0\nendloop\nendfacet\nendsolid\n");
     REQUIRE(mesh);
-    for (const std::string name : {std::string("a\0b", 3), std::string("a\nfacet")}) {
+    for (const std::string& name : {std::string("a\0b", 3), std::string("a\nfacet")}) {
         mesh->notes = {{"stl:name", name}};
         const TempFolder folder;
         std::vector<std::string> left_out;

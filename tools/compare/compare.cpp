@@ -85,8 +85,8 @@ std::vector<Row> compare_mesh(const std::string& name, Mesh mesh, const Request&
     input.grid = grid_for(mesh, request.options);
     if (!request.attributes) {
         mesh.attributes.clear();
-        // The nodes of quadratic tets' edges stay: they are what the points that no corner names are
-        // for. Peers get these as points that are just there.
+        // The nodes of quadratic tets' edges stay: they are what the points that no corner names
+        // are for. Peers get these as points that are just there.
         std::erase_if(mesh.companions, [](const CompanionBlock& block) {
             return block.vtk_type != 24 || block.nodes_per_cell != 6;
         });

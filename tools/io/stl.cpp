@@ -205,8 +205,7 @@ bool is_text(std::string_view bytes) {
     }
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return false;
-    return same_word(bytes.substr(first, 5), "solid") &&
-           bytes.find('\0') == std::string_view::npos;
+    return same_word(bytes.substr(first, 5), "solid") && bytes.find('\0') == std::string_view::npos;
 }
 
 Status check_triangles(const Mesh& mesh, const std::string& path) {
@@ -299,8 +298,7 @@ Status write_text(const Mesh& mesh, const std::string& path, LeftOut& left_out) 
         begin();
     }
     end();
-    if (odd_name)
-        left_out.say("names of solids that hold line ends or zeros have no place in STL");
+    if (odd_name) left_out.say("names of solids that hold line ends or zeros have no place in STL");
     return write_file(path, out);
 }
 
