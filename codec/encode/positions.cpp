@@ -6,6 +6,7 @@
 #include "encode/echoes.h"
 #include "encode/fit.h"
 #include "entropy/priors.h"
+#include "predict/border_plane.h"
 #include "predict/priors.h"
 
 namespace ravel {
@@ -76,6 +77,25 @@ bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places
         }
     }
     return 32 * kept > shared;
+}
+
+// Do enough of the vertices of tets that could go on with a border lie near its plane to pay for
+// asking? Looks at some thousand.
+bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
+    constexpr std::size_t kLooks = 4096;
+    const std::size_t stride = record.stencils.size() / kLooks + 1;
+    std::size_t asked = 0, near = 0;
+    for (std::size_t v = 0; v < record.stencils.size(); v += stride) {
+        const Stencil& s = record.stencils[v];
+        if (s.borders == 0) continue;
+        ++asked;
+        bool along = false;
+        for (std::size_t e = 0; e < 3; ++e)
+            along = along || ((s.borders >> e & 1) != 0 &&
+                              lies_along(along_border(s, e), places, places[v]));
+        near += along;
+    }
+    return 4 * near > asked;
 }
 
 Bytes head_of(const PositionFormat& format) {
@@ -192,7 +212,13 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         if (!outlier) places[v] = units_of(plan, p);
         if (!skip[v]) firm.push_back(places[v]);
     }
-    plan.format.weights = fit_weights(record.stencils, places, skip, plan.format.mirrored, false);
+    const auto fit = [&](bool along) {
+        plan.format.weights =
+            fit_weights(record.stencils, places, skip, plan.format.mirrored, along);
+    };
+    const bool may_go_along = goes_along(record, places);
+    plan.format.has_along = fast && may_go_along;
+    fit(plan.format.has_along);
 
     const CodedVertices all{plan, complex, record, unused, edges};
     if (fast) return write_head_and_bits(all);
@@ -232,11 +258,9 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         plan.format.has_levels = true;
         offer();
     }
-    if (std::any_of(record.stencils.begin(), record.stencils.end(),
-                    [](const Stencil& stencil) { return stencil.borders != 0; })) {
+    if (may_go_along) {
         plan.format.has_along = true;
-        plan.format.weights =
-            fit_weights(record.stencils, places, skip, plan.format.mirrored, true);
+        fit(true);
         offer();
     }
     std::size_t seeds = 0;
