@@ -61,16 +61,6 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
     return bits;
 }
 
-// The stencil by which a vertex is likely to be guessed: along a border near whose plane it lies.
-Stencil as_guessed(const Stencil& stencil, std::size_t v, const std::vector<Point3>& values) {
-    for (std::size_t e = 0; e < 3; ++e) {
-        if ((stencil.borders >> e & 1) == 0) continue;
-        const Stencil border = along_border(stencil, e);
-        if (lies_along(border, values, values[v])) return border;
-    }
-    return stencil;
-}
-
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
@@ -83,7 +73,7 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
         total[static_cast<std::size_t>(Configuration::tet)];
     std::array<std::vector<Sample>, kFeatureCount.size()> samples;
     for (std::size_t v = 0; v < stencils.size(); ++v) {
-        const Stencil stencil = along ? as_guessed(stencils[v], v, values) : stencils[v];
+        const Stencil stencil = along ? stencil_along(stencils[v], values, values[v]) : stencils[v];
         const auto c = static_cast<std::size_t>(stencil.configuration);
         if (stencil.configuration == Configuration::seed || (!skip.empty() && skip[v])) continue;
         const std::size_t stride = std::min<std::size_t>(total[c] / kVertices, 31) + 1;

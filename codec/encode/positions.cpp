@@ -89,11 +89,7 @@ bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
         const Stencil& s = record.stencils[v];
         if (s.borders == 0) continue;
         ++asked;
-        bool along = false;
-        for (std::size_t e = 0; e < 3; ++e)
-            along = along || ((s.borders >> e & 1) != 0 &&
-                              lies_along(along_border(s, e), places, places[v]));
-        near += along;
+        near += stencil_along(s, places, places[v]).configuration == Configuration::border;
     }
     return 4 * near > asked;
 }

@@ -68,4 +68,15 @@ inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
     return 16 * d * d < dot(edge, edge) * dot(normal, normal);
 }
 
+// Of a new vertex: along the first border near whose plane it lies, or as it is.
+inline Stencil stencil_along(const Stencil& met, const std::vector<Point3>& values,
+                             const Point3& value) {
+    for (std::size_t e = 0; e < 3; ++e) {
+        if ((met.borders >> e & 1) == 0) continue;
+        const Stencil border = along_border(met, e);
+        if (lies_along(border, values, value)) return border;
+    }
+    return met;
+}
+
 }  // namespace ravel
