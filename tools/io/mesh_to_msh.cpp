@@ -356,17 +356,6 @@ void build_data(Building& b) {
     }
 }
 
-// Would a section of this name and text be read as one that was kept? Notes may be anyone's.
-bool can_be_section(const std::string& name, const std::string& text, bool binary) {
-    constexpr std::array<std::string_view, 6> kWritten{"MeshFormat",    "Nodes",    "Elements",
-                                                       "PhysicalNames", "NodeData", "ElementData"};
-    return !name.empty() && name.find_first_of(" \t\r\n") == std::string::npos &&
-           !name.starts_with("End") && name != kTypesSection &&
-           std::find(kWritten.begin(), kWritten.end(), name) == kWritten.end() &&
-           text.find("$End" + name) == std::string::npos &&
-           (binary || text.empty() || text.back() == '\n');
-}
-
 void build_sections(Building& b) {
     for (const Note& note : b.mesh.notes) {
         for (const bool binary : {false, true}) {

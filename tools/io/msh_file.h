@@ -70,6 +70,8 @@ struct MshFile {
 
 // Is the section one of Gmsh's, whose content in binary files is not text?
 bool has_binary_form(const std::string& section);
+// Would a section of this name and text be read as one that was kept? Notes may be anyone's.
+bool can_be_section(const std::string& name, const std::string& text, bool binary);
 
 // Names of what a Mesh keeps of a Gmsh file.
 inline constexpr const char* kGmshVersion = "gmsh:version";  // a note; absent means 4.1

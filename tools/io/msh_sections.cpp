@@ -1,4 +1,7 @@
 // Sections that both versions of MSH files have: names, entities, data, and those kept as they are.
+#include <algorithm>
+#include <array>
+
 #include "io/attributes.h"
 #include "io/msh_stream.h"
 #include "io/typed_values.h"
@@ -195,6 +198,16 @@ bool has_binary_form(const std::string& section) {
         if (section == name) return true;
     }
     return false;
+}
+
+bool can_be_section(const std::string& name, const std::string& text, bool binary) {
+    constexpr std::array<std::string_view, 6> kWritten{"MeshFormat",    "Nodes",    "Elements",
+                                                       "PhysicalNames", "NodeData", "ElementData"};
+    return !name.empty() && name.find_first_of(" \t\r\n") == std::string::npos &&
+           !name.starts_with("End") && name != kTypesSection &&
+           std::find(kWritten.begin(), kWritten.end(), name) == kWritten.end() &&
+           text.find("$End" + name) == std::string::npos &&
+           (binary || text.empty() || text.back() == '\n');
 }
 
 Status read_raw_section(MshInput& in, const std::string& name, MshSection& section) {
