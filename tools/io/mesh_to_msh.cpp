@@ -1,6 +1,5 @@
 // From a Mesh to a Gmsh file: attributes with Gmsh's names become tags again, others data sections.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
