@@ -172,7 +172,7 @@ TEST_CASE("MSH notes that would not be sections again are left out", "[io][msh]"
                    {"gmsh:section:Cut", "text\n$EndCut\n"},
                    {"gmsh:section:Open", "no end of line"},
                    {"gmsh:section:", "text\n"},
-                   {"gmsh:section:Kept", "text\n"}};
+                   {"gmsh:section:Kept", "text, not the $EndKept\n"}};
     const TempFolder folder;
     std::vector<std::string> left_out;
     REQUIRE(io::write_mesh(*mesh, folder / "b.msh", {}, &left_out));

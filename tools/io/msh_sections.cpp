@@ -40,6 +40,14 @@ bool read_entity(MshInput& in, std::size_t dimension, MshEntity& entity) {
     return true;
 }
 
+// Where the end of a section begins; in text it stands at the beginning of a line.
+std::size_t find_end(std::string_view text, const std::string& end, bool binary) {
+    std::size_t at = text.find(end);
+    while (!binary && at != std::string_view::npos && at != 0 && text[at - 1] != '\n')
+        at = text.find(end, at + 1);
+    return at;
+}
+
 // Reads the rows "tag value value ...", integer and doubles in binary files.
 Status read_rows(MshInput& in, Index rows, std::uint32_t arity, MshData& data) {
     if (arity == 0 || !in.has_room(rows, 4 + 8 * Index{arity}, 1 + Index{arity})) {
@@ -203,11 +211,10 @@ bool has_binary_form(const std::string& section) {
 bool can_be_section(const std::string& name, const std::string& text, bool binary) {
     constexpr std::array<std::string_view, 6> kWritten{"MeshFormat",    "Nodes",    "Elements",
                                                        "PhysicalNames", "NodeData", "ElementData"};
-    return !name.empty() && name.find_first_of(" \t\r\n") == std::string::npos &&
+    return !name.empty() && name.find_first_of(" \t\r\n\v\f") == std::string::npos &&
            !name.starts_with("End") && name != kTypesSection &&
            std::find(kWritten.begin(), kWritten.end(), name) == kWritten.end() &&
-           text.find("$End" + name) == std::string::npos &&
-           (binary || text.empty() || text.back() == '\n');
+           find_end(text + "$End" + name, "$End" + name, binary) == text.size();
 }
 
 Status read_raw_section(MshInput& in, const std::string& name, MshSection& section) {
@@ -215,11 +222,7 @@ Status read_raw_section(MshInput& in, const std::string& name, MshSection& secti
     const std::string end = "$End" + name;
     const std::string_view rest = in.text.take(in.text.bytes_left());
     in.text.seek(start);
-    std::size_t at = rest.find(end);
-    // In text the end stands at the beginning of a line.
-    while (!in.binary && at != std::string_view::npos && at != 0 && rest[at - 1] != '\n') {
-        at = rest.find(end, at + 1);
-    }
+    const std::size_t at = find_end(rest, end, in.binary);
     if (at == std::string_view::npos) return in.fault("section $" + name + " has no " + end);
     section = {name, std::string(rest.substr(0, at)), in.binary && has_binary_form(name)};
     in.text.take(at);

@@ -139,9 +139,10 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                       ->check(CLI::Range(1, 22))
                       ->type_name("L")
                       ->group("Effort");
-    verb.add_flag("--fast", flags.fast,
-                  "Faster to make and to decode: parts, mirrors and planes are not looked for; "
-                  "zstd's level 3")
+    verb.add_flag(
+            "--fast", flags.fast,
+            "Faster to make and to decode: parts, mirrors and level faces are not looked for; "
+            "zstd's level 3")
         ->excludes(level)
         ->group("Effort");
 }
