@@ -167,6 +167,7 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     if (kind == CellKind::tet) {
         out.varint(b.grid_side);
         for (const std::uint32_t n : b.grid_count) out.varint(n);
+        out.varint(b.shape_step);
     }
     return out.take();
 }
@@ -216,7 +217,9 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
             n = static_cast<std::uint32_t>(count);
             left /= grid_blocks_of(count);
         }
-        if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52)
+        b.shape_step = in.varint();
+        if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52 ||
+            b.shape_step > std::uint64_t{1} << 52)
             return bad("a grid of impossible cubes");
     }
     if (!in.ok() || in.left() != 0) return bad("the block's head ends too early or too late");

@@ -44,7 +44,7 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     // Of tets, 32 bytes are for a front that hostile vertices crowd (see TetFront).
     const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 96 : 52) + (order ? 24 : 0);
     const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 452 : 396, per_edges = b.has_edge_points ? 168 : 0;
+                        per_vertex = order ? 620 : 564, per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
 }
@@ -54,7 +54,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     NumberFormat& numbers = format.numbers;
     format.narrow = head.position_scalar == Scalar::f32;
     const std::uint8_t flags = in.u8(), fitted = in.u8();
-    format.has_outliers = (flags & 4) != 0;
+    format.has_escapes = (flags & 4) != 0;
     numbers.has_minus_zero = (flags & 8) != 0;
     format.has_levels = (flags & 128) != 0;
     format.has_follows = (flags & 1) != 0;
@@ -91,6 +91,10 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
             format.echoes.push_back(echo);
         }
     }
+    if (format.has_levels) {
+        format.level_bits = in.u8();
+        sane = sane && format.level_bits <= kMostLevelBits;
+    }
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {
             const std::int64_t w = unzigzag(in.varint());
@@ -114,7 +118,7 @@ Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes,
                    const std::vector<Id>& copy_of, std::size_t points) {
     Array out = make_array(head.position_scalar, 3, points);
     const Grid grid{{head.origin[0], head.origin[1], head.origin[2]}, head.step};
-    std::size_t p = 0, next_outlier = 0;
+    std::size_t p = 0, next_escape = 0;
     const auto store = [&](std::size_t axis, std::uint64_t bits) {
         if (head.position_scalar == Scalar::f32)
             out.as<std::uint32_t>()[3 * p + axis] = static_cast<std::uint32_t>(bits);
@@ -123,12 +127,7 @@ Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes,
     };
     for (std::size_t v = 0; v < codes.values().size(); ++v) {
         if (v < copy_of.size() && copy_of[v] != kNone) continue;
-        const bool outlier = !codes.outliers().empty() && codes.outliers()[v];
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (outlier) {
-                store(axis, codes.outlier_bits()[next_outlier][axis]);
-                continue;
-            }
             const double x =
                 head.lossless
                     ? codes.exact(v, axis)
@@ -139,7 +138,9 @@ Array positions_of(const Head& head, const PositionCodes<ReadingCoder>& codes,
             else
                 out.as<double>()[3 * p + axis] = x;
         }
-        next_outlier += outlier;
+        const std::vector<Escape>& escapes = codes.escapes();
+        for (; next_escape < escapes.size() && escapes[next_escape].vertex == v; ++next_escape)
+            store(escapes[next_escape].axis, escapes[next_escape].bits);
         ++p;
     }
     return out;
@@ -196,6 +197,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.mirrored = block.mirrored;
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
+    limits.shape_step = static_cast<double>(block.shape_step);
     // A flag costs at least 1/1386 bit; a vertex asks for one at least.
     const std::uint64_t flags =
         (std::uint64_t{codes.size()} + position_bytes.size() + 16) * 8 * 1386;
@@ -247,7 +249,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     for (Index i = 0; i < block.unused_points; ++i) {
         const Stencil stencil = stencil_of_unused(edges, i, block.vertices);
         if (i < edges.end.size() && needs_stencils(file.head)) stencils.push_back(stencil);
-        if (!positions.next(stencil, {}, false) || position_bits.exhausted())
+        if (!positions.next(stencil, {}) || position_bits.exhausted())
             return corrupt(section.at, "the positions of unused points make no sense");
     }
     if (!driver.finished())

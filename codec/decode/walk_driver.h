@@ -79,6 +79,7 @@ class DecodeDriver {
     Id gap(Id, bool&) const { return kNone; }
     bool apex_is(Id) const { return false; }
     Id apex() const { return kNone; }
+    bool is_new_near(const Point3&, double) const { return false; }
     bool glues(Id) const { return false; }
     bool border(Id) const { return false; }
 
@@ -91,7 +92,7 @@ class DecodeDriver {
             if (first < 0 || first >= static_cast<std::int64_t>(vertex) ||
                 copy_of_[static_cast<std::size_t>(first)] != kNone) {
                 bad_ = true;
-                positions_.next({}, {}, false);
+                positions_.next({}, {});
                 copy_of_.push_back(kNone);
                 return;
             }
@@ -103,7 +104,7 @@ class DecodeDriver {
             positions_.copy(of);
             return;
         }
-        if (!positions_.next(stencil, {}, false)) bad_ = true;
+        if (!positions_.next(stencil, {})) bad_ = true;
         if (keeps_stencils_) stencils_.push_back(stencil);
     }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "encode/shape_step.h"
+
 namespace ravel {
 namespace {
 
@@ -84,10 +86,10 @@ CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& p
     plan.walk.seeds = choose_seeds(complex);
     block.components = plan.walk.seeds.size();
     plan.walk.places = plan_places(mesh, positions);
-    plan.walk.unknown_place = place_of(positions.format, Point3{});
-    plan.walk.outlier = positions.outlier;
     if (mesh.kind != CellKind::tet) return plan;
     choose_grid(complex, plan.walk.places, block);
+    block.shape_step = choose_shape_step(complex, plan.walk.places, block.grid_side);
+    limits.shape_step = static_cast<double>(block.shape_step);
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.mirrored = positions.format.mirrored = block.mirrored;

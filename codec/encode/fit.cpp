@@ -68,14 +68,18 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
     constexpr std::size_t kVertices = 8192;  // of a configuration that are looked at, or a share
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
-    for (const Stencil& s : stencils) ++total[static_cast<std::size_t>(s.configuration)];
+    for (const Stencil& s : stencils)
+        if (s.configuration < Configuration::led)
+            ++total[static_cast<std::size_t>(s.configuration)];
     total[static_cast<std::size_t>(Configuration::border)] =
         total[static_cast<std::size_t>(Configuration::tet)];
     std::array<std::vector<Sample>, kFeatureCount.size()> samples;
     for (std::size_t v = 0; v < stencils.size(); ++v) {
         const Stencil stencil = along ? stencil_along(stencils[v], values, values[v]) : stencils[v];
+        if (stencil.configuration == Configuration::seed ||
+            stencil.configuration >= Configuration::led || (!skip.empty() && skip[v]))
+            continue;
         const auto c = static_cast<std::size_t>(stencil.configuration);
-        if (stencil.configuration == Configuration::seed || (!skip.empty() && skip[v])) continue;
         const std::size_t stride = std::min<std::size_t>(total[c] / kVertices, 31) + 1;
         if (seen[c]++ % stride != 0) continue;
         const Features f = features_of(stencil, values, mirrored);

@@ -11,8 +11,11 @@ namespace ravel {
 namespace {
 
 constexpr double kBitsOfTen = 3.3219280948873623;
-constexpr double kOutlierBits = 100;  // what a coordinate costs that does not fit, about
-constexpr std::size_t kFewest = 50;   // at most one coordinate in so many may not fit
+// What a coordinate costs that does not fit, about; and at most one in so many may be such.
+struct Misfits {
+    double bits;
+    std::size_t fewest;
+};
 
 // The shortest decimal that reads as x: mantissa * 10^-places, without zeros at the end behind the
 // point.
@@ -68,10 +71,12 @@ Binary binary_of(double x) {
 // How many of the sampled coordinates have each number of places and of digits.
 struct Counts {
     std::vector<std::size_t> by_places, by_digits, by_front;  // front: digits before the point
+    std::vector<double> largest;                              // by front
     std::size_t numbers = 0, misfits = 0;
     double fronts = 0;
 
-    explicit Counts(std::size_t most) : by_places(most), by_digits(80), by_front(most) {}
+    explicit Counts(std::size_t most)
+        : by_places(most), by_digits(80), by_front(most), largest(most) {}
 };
 
 constexpr int kMiddle = 1100;  // fronts and binary places may be negative
@@ -85,7 +90,7 @@ struct Choice {
 // must be few. `least` is infinite where there is none.
 template <class Cost>
 int cheapest(const std::vector<std::size_t>& counts, int low, int high, std::size_t misfits,
-             const Cost& bits_per_all, double& least) {
+             const Misfits& price, const Cost& bits_per_all, double& least) {
     std::size_t above = misfits;
     for (const std::size_t n : counts) above += n;
     const std::size_t all = above;
@@ -93,8 +98,8 @@ int cheapest(const std::vector<std::size_t>& counts, int low, int high, std::siz
     least = INFINITY;
     for (int k = 0; k <= high; ++k) {
         above -= counts[static_cast<std::size_t>(k)];
-        if (k < low || above * kFewest > all) continue;
-        const double bits = bits_per_all(k) + kOutlierBits * static_cast<double>(above);
+        if (k < low || above * price.fewest > all) continue;
+        const double bits = bits_per_all(k) + price.bits * static_cast<double>(above);
         if (bits < least) least = bits, best = k;
     }
     return best;
@@ -177,6 +182,13 @@ std::optional<Number> binary_number(const NumberFormat& f, double x) {
 
 }  // namespace
 
+double whole_near(const NumberFormat& format, double x) {
+    const double q = format.base == NumberBase::decimal
+                         ? x * kTensAsDoubles[static_cast<std::size_t>(format.places)]
+                         : std::ldexp(x, format.places);
+    return std::abs(q) < static_cast<double>(kMostWhole) ? std::trunc(q) : 0;
+}
+
 std::optional<Number> number_of(const NumberFormat& format, double x, Scalar scalar) {
     if (!std::isfinite(x)) return {};
     const std::optional<Number> n = format.base == NumberBase::decimal
@@ -207,7 +219,9 @@ NumberFormat choose_numbers(const Array& positions, bool behind) {
         if (d.fits && d.places <= kMostPlaces + 17) {
             ++decimal.by_places[static_cast<std::size_t>(d.places)];
             ++decimal.by_digits[static_cast<std::size_t>(d.digits)];
-            ++decimal.by_front[static_cast<std::size_t>(d.digits - d.places + kMiddle)];
+            const auto front = static_cast<std::size_t>(d.digits - d.places + kMiddle);
+            ++decimal.by_front[front];
+            decimal.largest[front] = std::max(decimal.largest[front], std::abs(x));
             decimal.fronts += d.digits - d.places;
         } else {
             ++decimal.misfits;
@@ -234,22 +248,31 @@ NumberFormat choose_numbers(const Array& positions, bool behind) {
             least = bits, best = {base, places, digits, minus_zero};
     };
     double bits = 0;
+    const Misfits price = behind ? Misfits{66, 8} : Misfits{100, 50};
     const int front10 = most_front(decimal), front2 = most_front(binary);
     const int places10 = cheapest(
         decimal.by_places, 0, std::min(kMostPlaces, 15 - std::max(front10, 0)), decimal.misfits,
-        [&](int k) { return n * k * kBitsOfTen; }, bits);
+        price, [&](int k) { return n * k * kBitsOfTen; }, bits);
     offer(NumberBase::decimal, places10, 0, bits);
     const int digits10 = cheapest(
-        decimal.by_digits, 1, 17, decimal.misfits,
+        decimal.by_digits, 1, 17, decimal.misfits, price,
         [&](int s) { return (n * s - decimal.fronts) * kBitsOfTen; }, bits);
-    if (digits10 - front10 >= 0 && digits10 - front10 <= kMostPlaces)
-        offer(NumberBase::decimal, digits10 - front10, digits10, bits);
+    // Of 16 and more digits the last ones may be behind the unit of the largest, too.
+    double largest = 0;
+    for (int f = 0; f <= front10 + kMiddle; ++f)
+        largest = std::max(largest, decimal.largest[static_cast<std::size_t>(f)]);
+    int unit10 = digits10 - front10;
+    while (unit10 > 0 && unit10 <= kMostPlaces &&
+           largest * kTensAsDoubles[static_cast<std::size_t>(unit10)] >=
+               static_cast<double>(kMostWhole))
+        --unit10;
+    if (unit10 >= 0 && unit10 <= kMostPlaces) offer(NumberBase::decimal, unit10, digits10, bits);
     const int places2 = cheapest(
-        binary.by_places, 0, 52 - front2 + kMiddle, 0, [&](int k) { return n * (k - kMiddle); },
-        bits);
+        binary.by_places, 0, 52 - front2 + kMiddle, 0, price,
+        [&](int k) { return n * (k - kMiddle); }, bits);
     offer(NumberBase::binary, places2 - kMiddle, 0, bits);
     const int digits2 = cheapest(
-        binary.by_digits, 1, 53, 0, [&](int s) { return n * s - binary.fronts; }, bits);
+        binary.by_digits, 1, 53, 0, price, [&](int s) { return n * s - binary.fronts; }, bits);
     offer(NumberBase::binary, std::clamp(digits2 - front2, -kMiddle, kMiddle), digits2, bits);
     return best;
 }

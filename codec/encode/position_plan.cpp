@@ -75,7 +75,7 @@ double few_bits_below(double x) {
 }
 
 // The box of all points but for a few that would make it hundreds of times as large: they are left
-// to be outliers.
+// to be escaped.
 Box robust_box(const Array& positions, std::size_t points) {
     constexpr std::size_t kFewest = 20;  // points among which one may be let go
     constexpr double kMuch = 256;
@@ -176,57 +176,46 @@ double grid_number(const PositionPlan& plan, std::size_t axis, double x, bool la
                    : std::floor((x - origin) / step + 0.5);
 }
 
-// Puts every point on the grid; those that miss `bound`, or lie out of its box, become outliers.
-void place_on_grid(const Array& positions, const Box& box, bool lattice, PositionPlan& plan) {
-    const std::size_t points = positions.count();
-    plan.error = 0;
-    std::size_t outliers = 0;
-    for (std::size_t p = 0; p < points; ++p) {
-        bool fits = finite_point(positions, p);
-        double error = 0;
-        for (std::size_t axis = 0; axis < 3 && fits; ++axis) {
-            const double x = value_at(positions, 3 * p + axis);
-            const double q = grid_number(plan, axis, x, lattice);
-            fits = std::abs(q) < static_cast<double>(kMostGrid) && x >= box.low[axis] &&
-                   x <= box.high[axis];
-            if (!fits) break;
-            plan.values[p][axis] = {static_cast<std::int64_t>(q), 0, 0, false};
-            error = std::max(error,
-                             std::abs(coordinate_of(plan.grid, axis, static_cast<std::int64_t>(q),
-                                                    positions.scalar) -
-                                      x));
-        }
-        fits = fits && error <= plan.bound;
-        plan.outlier[p] = !fits;
-        if (fits) {
-            plan.error = std::max(plan.error, error);
-        } else {
-            ++outliers;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                plan.values[p][axis] = {0, bits_at(positions, 3 * p + axis), 0, false};
-        }
-    }
-    plan.format.has_outliers = outliers > 0;
+// A coordinate told bit for bit, for which `whole` stands.
+Number escaped(const Array& positions, std::size_t i, double whole) {
+    return {static_cast<std::int64_t>(whole), bits_at(positions, i), 0, false, true};
 }
 
-// Lossless: every coordinate as a number, or its point bit for bit.
-void place_exactly(const Array& positions, PositionPlan& plan) {
-    plan.format.numbers = choose_numbers(positions);
-    plan.outlier.assign(positions.count(), false);
-    for (std::size_t p = 0; p < positions.count(); ++p) {
-        for (std::size_t axis = 0; axis < 3 && !plan.outlier[p]; ++axis) {
-            const std::optional<Number> n =
-                number_of(plan.format.numbers, value_at(positions, 3 * p + axis), positions.scalar);
-            plan.outlier[p] = !n;
-            if (n) plan.values[p][axis] = *n;
+// Puts every coordinate on the grid; those that miss `bound`, or lie out of the box, are escaped.
+void place_on_grid(const Array& positions, const Box& box, bool lattice, PositionPlan& plan) {
+    plan.error = 0;
+    plan.format.has_escapes = false;
+    for (std::size_t p = 0; p < positions.count(); ++p)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = value_at(positions, 3 * p + axis);
+            const double within =
+                std::isfinite(x) ? std::clamp(x, box.low[axis], box.high[axis]) : box.low[axis];
+            const auto most = static_cast<double>(kMostGrid - 1);
+            const double q = std::clamp(grid_number(plan, axis, within, lattice), -most, most);
+            Number& n = plan.values[p][axis];
+            n = {static_cast<std::int64_t>(q), 0, 0, false, false};
+            const double error =
+                std::abs(coordinate_of(plan.grid, axis, n.whole, positions.scalar) - x);
+            if (within == x && error <= plan.bound) {
+                plan.error = std::max(plan.error, error);
+            } else {
+                n = escaped(positions, 3 * p + axis, q);
+                plan.format.has_escapes = true;
+            }
         }
-        if (!plan.outlier[p]) continue;
-        plan.format.has_outliers = true;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            plan.values[p][axis] = {0, bits_at(positions, 3 * p + axis), 0, false};
-    }
-    if (!plan.format.has_outliers) plan.outlier.clear();
 }
+
+// Lossless: every coordinate as a number, or bit for bit.
+void place_exactly(const Array& positions, PositionPlan& plan) {
+    const NumberFormat& format = plan.format.numbers = choose_numbers(positions);
+    for (std::size_t i = 0; i < 3 * positions.count(); ++i) {
+        const double x = value_at(positions, i);
+        const std::optional<Number> n = number_of(format, x, positions.scalar);
+        plan.values[i / 3][i % 3] = n ? *n : escaped(positions, i, whole_near(format, x));
+        plan.format.has_escapes = plan.format.has_escapes || !n;
+    }
+}
+
 }  // namespace
 
 Point3 units_of(const PositionPlan& plan, std::size_t p) {
@@ -247,7 +236,6 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         place_exactly(positions, plan);
         return plan;
     }
-    plan.outlier.assign(points, false);
     const Box box = robust_box(positions, points);
     const double longest = std::isfinite(box.longest) ? box.longest : 0;
     // What rounding to the mesh's floats may add to an error.
@@ -284,7 +272,7 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         place_on_grid(positions, box, options.lattice.has_value(), plan);
     };
     place();
-    if (plan.format.has_outliers && (options.max_error || options.max_error_relative)) {
+    if (plan.format.has_escapes && (options.max_error || options.max_error_relative)) {
         // Rounding pushed some over the bound; a slightly finer grid has room for it.
         grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
         place();
@@ -293,7 +281,6 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
                     ? static_cast<std::uint8_t>(*options.position_bits)
                     : static_cast<std::uint8_t>(std::bit_width(
                           static_cast<std::uint64_t>(std::ceil(longest / grid.step))));
-    if (!plan.format.has_outliers) plan.outlier.clear();
     plan.error = std::min(float32_above(plan.error), plan.bound);
     return plan;
 }
@@ -302,15 +289,15 @@ std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
     const std::size_t points = mesh.positions.count();
     std::vector<Point3> places(points);
     Point3 low{}, high{};
-    bool any = false;
+    std::array<bool, 3> any{};
     for (std::size_t p = 0; p < points; ++p) {
-        if (!plan.outlier.empty() && plan.outlier[p]) continue;
         places[p] = units_of(plan, p);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = any ? std::min(low[axis], places[p][axis]) : places[p][axis];
-            high[axis] = any ? std::max(high[axis], places[p][axis]) : places[p][axis];
+            if (plan.values[p][axis].escaped) continue;
+            low[axis] = any[axis] ? std::min(low[axis], places[p][axis]) : places[p][axis];
+            high[axis] = any[axis] ? std::max(high[axis], places[p][axis]) : places[p][axis];
+            any[axis] = true;
         }
-        any = true;
     }
     plan.format.has_stand_ins = mesh.kind == CellKind::tet && !plan.format.grid();
     if (!plan.format.has_stand_ins) return places;

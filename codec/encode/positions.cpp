@@ -58,7 +58,7 @@ int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places) {
     }
     int bits = 0;
     if (count > 0) std::frexp(length / count, &bits);
-    return std::clamp(bits, 1, kMostCubeBits);
+    return std::clamp(bits, 1, kMostCubeBits - 1);
 }
 
 // Do vertices often share a coordinate that their first neighbours share? Looks at some thousand.
@@ -100,7 +100,7 @@ Bytes head_of(const PositionFormat& format) {
     for (std::size_t c = 0; c < kConfigurations; ++c)
         if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
     out.u8(static_cast<std::uint8_t>(
-        (format.has_follows ? 1 : 0) | (format.has_along ? 2 : 0) | (format.has_outliers ? 4 : 0) |
+        (format.has_follows ? 1 : 0) | (format.has_along ? 2 : 0) | (format.has_escapes ? 4 : 0) |
         (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
         (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
     out.u8(static_cast<std::uint8_t>(fitted));
@@ -118,6 +118,7 @@ Bytes head_of(const PositionFormat& format) {
             for (const std::int64_t offset : echo.offset) out.varint(zigzag(offset));
         }
     }
+    if (format.has_levels) out.u8(static_cast<std::uint8_t>(format.level_bits));
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
@@ -156,11 +157,10 @@ void code_vertices(Coder& coder, const CodedVertices& all, std::size_t size, con
         const Stencil stencil =
             used ? all.record.stencils[i]
                  : stencil_of_unused(all.edges, i - all.vertices(), all.vertices());
-        const bool outlier = !all.plan.outlier.empty() && all.plan.outlier[p];
         if (coded(i))
-            codes.next(stencil, all.plan.values[p], outlier);
+            codes.next(stencil, all.plan.values[p]);
         else
-            codes.skip(stencil, all.plan.values[p], outlier);
+            codes.skip(stencil, all.plan.values[p]);
     }
 }
 
@@ -198,14 +198,13 @@ double try_out(const CodedVertices& all) {
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
                       const std::vector<Index>& unused, const EdgePoints& edges, bool fast) {
     const std::size_t vertices = record.vertex_of.size();
-    std::vector<Point3> places(vertices), firm;  // firm: no copies, no outliers
+    std::vector<Point3> places(vertices), firm;  // firm: no copies
     std::vector<bool> skip(vertices, false);
     firm.reserve(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
         const std::size_t p = complex.point[record.vertex_of[v]];
-        const bool outlier = !plan.outlier.empty() && plan.outlier[p];
-        skip[v] = record.copy_of[v] != kNone || outlier;
-        if (!outlier) places[v] = units_of(plan, p);
+        skip[v] = record.copy_of[v] != kNone;
+        places[v] = units_of(plan, p);
         if (!skip[v]) firm.push_back(places[v]);
     }
     const auto fit = [&](bool along) {
@@ -252,6 +251,18 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     }
     if (vertices < kSmall || has_level_faces(record, places)) {
         plan.format.has_levels = true;
+        offer();
+    }
+    plan.format.has_levels = true;
+    plan.format.level_bits = cube_bits_of(record, places);
+    offer();
+    if (plan.format.level_bits > 0 && vertices < kLarge / 4) {
+        ++plan.format.level_bits;
+        offer();
+    }
+    // What was taken first may be no help beside it.
+    if (kept.level_bits > 0 && !kept.echoes.empty()) {
+        plan.format.echoes.clear();
         offer();
     }
     if (may_go_along) {

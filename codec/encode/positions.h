@@ -12,17 +12,16 @@ namespace ravel {
 struct PositionPlan {
     PositionFormat format;
     Grid grid;
-    std::uint8_t bits = 0;         // of the longest side
-    std::vector<Position> values;  // numbers; of outliers the bits of the floats
-    std::vector<bool> outlier;     // stored bit for bit; empty where there are none
+    std::uint8_t bits = 0;  // of the longest side
+    std::vector<Position> values;
     double bound = 0, error = 0;
 };
 
-// Chooses the grid that the options ask for; points whose coordinates are not finite, or which a
-// grid can't bring within max_error, are outliers. Error: a grid finer than can be held.
+// Chooses the grid that the options ask for; coordinates that are not finite, lie far out, or which
+// a grid can't bring within max_error, are escaped. Error: a grid finer than can be held.
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
 
-// The coordinates of a point, in units of its numbers; not of an outlier.
+// The coordinates of a point, in units of its numbers.
 Point3 units_of(const PositionPlan& plan, std::size_t point);
 
 // Places of all points, as the walk will see them; for lossless tets this chooses the integers that

@@ -8,8 +8,8 @@ Array decoded_positions(const Mesh& mesh, const Reorder& order, const PositionPl
     if (!plan.format.grid()) return out;
     for (std::size_t p = 0; p < order.old_point.size(); ++p) {
         const Index old = order.old_point[p];
-        if (!plan.outlier.empty() && plan.outlier[old]) continue;
         for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (plan.values[old][axis].escaped) continue;
             const double x =
                 coordinate_of(plan.grid, axis, plan.values[old][axis].whole, out.scalar);
             if (out.scalar == Scalar::f32)

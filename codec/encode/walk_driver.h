@@ -9,6 +9,7 @@
 #include "entropy/flag_encoder.h"
 #include "mesh/complex.h"
 #include "mesh/point3.h"
+#include "walk/gate_shapes.h"
 #include "walk/tet_front.h"
 #include "walk/walk.h"
 
@@ -36,8 +37,6 @@ struct WalkCodes {
 struct WalkPlan {
     std::vector<Seed> seeds;     // one per component
     std::vector<Point3> places;  // per point of the mesh, as the decoder will see it
-    Point3 unknown_place{};      // of an outlier without neighbours
-    std::vector<bool> outlier;   // per point; empty where there are none
 };
 
 template <class Codes>
@@ -84,14 +83,7 @@ class EncodeDriver {
         record_.stencils.push_back(stencil);
         const Id of = has_copies_ ? code_copy(vertex, point) : kNone;
         record_.copy_of.push_back(of);
-        // The decoder does not know an outlier's place and lets its first neighbour stand in.
-        if (of != kNone)
-            places_.push_back(places_[of]);
-        else if (!plan_.outlier.empty() && plan_.outlier[point])
-            places_.push_back(stencil.at[0] != kNone ? places_[stencil.at[0]]
-                                                     : plan_.unknown_place);
-        else
-            places_.push_back(plan_.places[point]);
+        places_.push_back(of != kNone ? places_[of] : plan_.places[point]);
     }
 
     void end_cell(Id) {
@@ -199,7 +191,7 @@ class SurfaceEncodeDriver : public EncodeDriver<Codes> {
 template <class Codes>
 class TetEncodeDriver : public EncodeDriver<Codes> {
     using Base = EncodeDriver<Codes>;
-    using Base::cell_, Base::complex_, Base::corners_, Base::record_, Base::visited,
+    using Base::cell_, Base::complex_, Base::corners_, Base::plan_, Base::record_, Base::visited,
         Base::walk_vertex_;
 
   public:
@@ -230,6 +222,10 @@ class TetEncodeDriver : public EncodeDriver<Codes> {
 
     bool apex_is(Id vertex) const { return apex() == vertex; }
     Id apex() const { return walk_vertex_[complex_.vertex[corners_[3]]]; }
+    bool is_new_near(const Point3& there, double reach) const {
+        return apex() == kNone &&
+               lies_near(plan_.places[complex_.point[complex_.vertex[corners_[3]]]], there, reach);
+    }
     bool glues(Id facet) const { return visited(complex_.twin[corners_[facet & 3]]); }
     bool border(Id facet) const { return complex_.twin[corners_[facet & 3]] == kNone; }
 };

@@ -1,13 +1,17 @@
 // Flat faces across an axis: a coordinate that several neighbours share, the next vertex often has,
-// too. On either side: `Coder` writes or reads flags.
+// too; or one that is known from elsewhere. On either side: `Coder` writes or reads flags.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "mesh/point3.h"
 #include "mesh/stencil.h"
+#include "predict/known_levels.h"
 #include "predict/residual_context.h"
 
 namespace ravel {
@@ -15,7 +19,10 @@ namespace ravel {
 template <class Coder>
 class LevelCodes {
   public:
-    explicit LevelCodes(Coder& coder) : coder_(coder) {}
+    // `bits`: of the intervals in which known levels are looked for; 0: they are not.
+    LevelCodes(Coder& coder, int bits, std::size_t vertices) : coder_(coder) {
+        if (bits > 0) known_.emplace(bits, vertices);
+    }
 
     // Before the axes of a vertex: who its neighbours are.
     void begin(const Stencil& stencil) {
@@ -24,11 +31,31 @@ class LevelCodes {
         for (std::size_t i = 0; i < kStencil; ++i)
             if (stencil.at[i] != kNone) id_[count_++] = stencil.at[i];
     }
-    // Has the vertex the coordinate that most of them share? Not asked where no two do. `guess`:
-    // its whole part. `has(x)`: the writer's, has it this one?
+    // Has the vertex the known coordinate nearest to the guess, or the one that most of its
+    // neighbours share? `guess`: its whole part. `has(x)`: the writer's, has it this one?
     template <class Has>
     bool next(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
               const Has& has) {
+        vertex_ = kNone;
+        return (known_ && next_known(values, axis, guess, has)) ||
+               next_shared(values, axis, guess, has);
+    }
+    // Whose coordinate that was.
+    Id vertex() const { return vertex_; }
+
+    // After each vertex.
+    void insert(const Point3& value, Id vertex) {
+        for (std::size_t axis = 0; axis < 3 && known_; ++axis)
+            known_->insert(axis, value[axis], vertex);
+    }
+
+  private:
+    static constexpr std::size_t kStencil = 7;  // entries that are looked at
+
+    // Not asked where no two share one, or it is the known one that was just refused.
+    template <class Has>
+    bool next_shared(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
+                     const Has& has) {
         // The first of those that most share. All are held against all: fewer steps would be more
         // branches that nobody foresees. What is not there equals nothing.
         std::array<double, 8> x;
@@ -41,8 +68,9 @@ class LevelCodes {
         for (std::size_t i = 1; i < kStencil; ++i) best = votes[i] > votes[best] ? i : best;
         const auto most = static_cast<std::uint32_t>(votes[best]);
         if (most < 2) return false;
+        const double level = x[best];
+        if (vertex_ != kNone && values[vertex_][axis] == level) return false;
         vertex_ = id_[best];
-        const double level = values[vertex_][axis];
         const bool same =
             coder_.flag(ResidualContexts::level.at(configuration_, most, history_[axis],
                                                    guess == static_cast<std::int64_t>(level)),
@@ -50,18 +78,32 @@ class LevelCodes {
         history_[axis] = (history_[axis] << 1 | (same ? 1u : 0u)) & 3;
         return same;
     }
-    // Whose coordinate that was.
-    Id vertex() const { return vertex_; }
-
-  private:
-    static constexpr std::size_t kStencil = 7;  // entries that are looked at
+    template <class Has>
+    bool next_known(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
+                    const Has& has) {
+        const KnownLevels::Near near = known_->nearest(axis, static_cast<double>(guess));
+        if (near.vertex == kNone) return false;
+        vertex_ = near.vertex;
+        const double level = values[vertex_][axis];
+        std::uint32_t votes = 0;
+        for (std::size_t i = 0; i < count_; ++i) votes += values[id_[i]][axis] == level;
+        const auto far =
+            static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(near.distance)));
+        const auto often = static_cast<std::uint32_t>(std::bit_width(near.count)) - 1;
+        bool& before = was_known_[axis];
+        const std::uint32_t beside = 4 * before + std::min(votes, 3u);
+        return before = coder_.flag(ResidualContexts::known.at(far, often, beside, count_ > 4),
+                                    Coder::kWrites && has(level));
+    }
 
     Coder& coder_;
+    std::optional<KnownLevels> known_;
     std::uint32_t configuration_ = 0;
     std::array<std::uint32_t, 3> history_{};  // the last two answers per axis
+    std::array<bool, 3> was_known_{};         // the last answer
     std::array<Id, kStencil> id_{};
     std::size_t count_ = 0;
-    Id vertex_ = 0;
+    Id vertex_ = kNone;
 };
 
 }  // namespace ravel

@@ -30,12 +30,14 @@ inline constexpr std::int64_t kMostWhole = std::int64_t{1} << 53;
 
 // |value| in units is |whole| + rest * base^-(digits behind the point). A whole part of 0 has
 // `zeros` zeros between point and rest, rest starts with a digit that is not 0, and `negative`
-// tells the sign (that of zero, too).
+// tells the sign (that of zero, too). A coordinate that is no such number is `escaped`: the whole
+// part, which is near it if that can be, stands for it, and `rest` has the bits of the float.
 struct Number {
     std::int64_t whole = 0;
     std::uint64_t rest = 0;
     int zeros = 0;
     bool negative = false;
+    bool escaped = false;
 
     bool operator==(const Number&) const = default;
 };
@@ -82,8 +84,10 @@ struct Scaled {
     double exact;  // the value
 };
 
-// Needs places + zeros + digits of the rest to be at most kMostPlaces for decimals.
+// Needs places + zeros + digits of the rest to be at most kMostPlaces for decimals. Of an escaped
+// one its whole part.
 inline Scaled scaled_of(const NumberFormat& format, const Number& n) {
+    if (n.escaped) return scaled_of(format, {n.whole, 0, 0, false, false});
     if (format.base == NumberBase::grid) {
         const auto units = static_cast<double>(n.whole);
         return {units, units};

@@ -26,11 +26,13 @@ class PointsAround final : public Around {
             return b;
         }
         // The parallelogram, where there is one; features come after the base.
-        const bool tet = stencil.configuration == Configuration::tet;
-        const Sum* const base =
-            tet ? nullptr : &kSums[static_cast<std::size_t>(stencil.configuration)][0];
+        const bool led = stencil.configuration == Configuration::led;
+        const Sum* const base = led || stencil.configuration == Configuration::tet
+                                    ? nullptr
+                                    : &kSums[static_cast<std::size_t>(stencil.configuration)][0];
         const bool whole = base != nullptr && !detail::names_missing(*base, stencil);
-        for (std::size_t i = 0; i < kStencilSize; ++i)
+        // What a leader has is not near by.
+        for (std::size_t i = 0; i < (led ? 7 : kStencilSize); ++i)
             if (stencil.at[i] != kNone)
                 b.add(ground_.point[stencil.at[i]], i == 0 ? 0 : 1,
                       whole ? (*base)[i] : std::int8_t{0});

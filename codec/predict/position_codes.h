@@ -25,11 +25,12 @@ namespace ravel {
 
 struct PositionFormat {
     NumberFormat numbers;
-    bool narrow = true;         // float32
-    bool has_outliers = false;  // some vertices are stored bit for bit instead
-    bool mirrored = false;      // tets, most of which are inside out
+    bool narrow = true;        // float32
+    bool has_escapes = false;  // some coordinates are told bit for bit
+    bool mirrored = false;     // tets, most of which are inside out
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
+    int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0
     bool has_along = false;    // tets: new vertices may go on with the border
     bool has_follows = false;  // parts repeat: see follows.h
     std::vector<Echo> echoes;  // at most kMostEchoes
@@ -43,8 +44,15 @@ struct PositionFormat {
     bool grid() const { return numbers.base == NumberBase::grid; }
 };
 
-// What is to be coded of a vertex; an outlier has the bits of its floats in `rest`.
+// What is to be coded of a vertex.
 using Position = std::array<Number, 3>;
+
+// The bits of an escaped coordinate.
+struct Escape {
+    std::uint64_t bits = 0;
+    Id vertex = 0;
+    std::uint32_t axis = 0;
+};
 
 // Where the walk takes a vertex to be: its coordinates in units, or the nearest of 2^20 + 1 steps
 // along each axis.
@@ -66,14 +74,17 @@ class PositionCodes {
         : coder_(coder),
           format_(format),
           predictor_(format.weights, format.mirrored),
-          levels_(coder),
-          rest_(coder, format.numbers) {
+          levels_(coder, format.has_levels ? format.level_bits : 0, vertices),
+          rest_(coder, format.numbers,
+                !format.has_escapes ? 0
+                : format.narrow     ? 32
+                                    : 64) {
         if (!format_.echoes.empty())
             index_.emplace(format_.cube_bits, format_.looks_far ? 1 : 0.5, vertices);
         if (format_.has_follows) courses_.emplace(vertices);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
         keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
-        is_plain_ = format_.grid() && !format_.has_outliers && !format_.has_levels &&
+        is_plain_ = format_.grid() && !format_.has_escapes && !format_.has_levels &&
                     !format_.has_along && !courses_ && !index_;
     }
 
@@ -85,16 +96,8 @@ class PositionCodes {
     }
 
     // False: a value no encoder writes.
-    bool next(const Stencil& stencil, const Position& truth, bool outlier) {
+    bool next(const Stencil& stencil, const Position& truth) {
         if (is_plain_) return next_plain(stencil, truth);
-        if (format_.has_outliers) {
-            outlier = coder_.flag(ResidualContexts::outlier.at(0), outlier);
-            outliers_.push_back(outlier);
-            if (outlier) {
-                code_outlier(stencil, truth);
-                return true;
-            }
-        }
         Point3 g;
         std::array<std::int64_t, 3> whole;  // of the guess
         guess(stencil, g, whole);
@@ -168,6 +171,8 @@ class PositionCodes {
                 const bool tells = edge && size == 0;  // the guess, of what is behind the point
                 sane = number.whole < most_ && number.whole > -most_ &&
                        rest_.next(a, tells ? &g[axis] : nullptr, number);
+                if (number.escaped)
+                    escapes_.push_back({number.rest, static_cast<Id>(values_.size()), a});
                 const Scaled s = sane ? scaled_of(format_.numbers, number) : Scaled{};
                 value[axis] = s.units;
                 exact[axis] = s.exact;
@@ -203,16 +208,15 @@ class PositionCodes {
     }
 
     // A vertex that both sides know already; for trials.
-    void skip(const Stencil& stencil, const Position& truth, bool outlier) {
-        if (format_.has_outliers) outliers_.push_back(outlier);
+    void skip(const Stencil& stencil, const Position& truth) {
         sizes_.begin(stencil);
         sizes_.push_half();
-        if (courses_ && !outlier && stencil.configuration != Configuration::edge)
+        if (courses_ && stencil.configuration != Configuration::edge)
             courses_->next(stencil, static_cast<Id>(values_.size()), kNone);
         prior_ = kNone;
         Point3 value{}, exact{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Scaled s = outlier ? Scaled{} : scaled_of(format_.numbers, truth[axis]);
+            const Scaled s = scaled_of(format_.numbers, truth[axis]);
             value[axis] = s.units;
             exact[axis] = s.exact;
         }
@@ -224,7 +228,6 @@ class PositionCodes {
         const Point3 value = values_[of];
         sizes_.push_nothing();
         add(value, keeps_exact_ ? exact_[of] : Point3{});
-        if (format_.has_outliers) outliers_.push_back(false);
     }
 
     const PositionFormat& format() const { return format_; }
@@ -238,9 +241,8 @@ class PositionCodes {
                    ? x / kTensAsDoubles[static_cast<std::size_t>(format_.numbers.places)]
                    : std::ldexp(x, -format_.numbers.places);
     }
-    // Per vertex, where there are any at all; the bits in the order of the vertices.
-    const std::vector<bool>& outliers() const { return outliers_; }
-    const std::vector<std::array<std::uint64_t, 3>>& outlier_bits() const { return raw_; }
+    // In the order of the vertices.
+    const std::vector<Escape>& escapes() const { return escapes_; }
 
   private:
     struct Found {
@@ -256,19 +258,8 @@ class PositionCodes {
         values_.push_back(value);
         if (keeps_exact_) exact_.push_back(exact);
         if (index_) index_->insert(value);
+        levels_.insert(value, static_cast<Id>(values_.size() - 1));
         if (courses_) courses_->insert(static_cast<Id>(values_.size() - 1));
-    }
-
-    void code_outlier(const Stencil& stencil, const Position& truth) {
-        std::array<std::uint64_t, 3> bits{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            bits[axis] = coder_.plain(truth[axis].rest, format_.narrow ? 32 : 64);
-        raw_.push_back(bits);
-        const Id of = stencil.at[0];
-        sizes_.begin(stencil);
-        sizes_.push_half();
-        add(of != kNone ? values_[of] : Point3{},
-            of != kNone && keeps_exact_ ? exact_[of] : Point3{});
     }
 
     Point3 guess_at(const Stencil& stencil) {
@@ -372,6 +363,7 @@ class PositionCodes {
         return echo.mirrored[axis] ? o - w : o + w;
     }
     bool is(const Number& truth, double x) const {
+        if (truth.escaped) return false;
         const double want = scaled_of(format_.numbers, truth).units;
         return x == want && std::signbit(x) == std::signbit(want);
     }
@@ -438,8 +430,7 @@ class PositionCodes {
     LevelCodes<Coder> levels_;
     RestCodes<Coder> rest_;
     std::vector<Point3> values_, exact_;
-    std::vector<bool> outliers_;
-    std::vector<std::array<std::uint64_t, 3>> raw_;
+    std::vector<Escape> escapes_;
     std::optional<VertexIndex> index_;
     std::optional<Courses> courses_;
     static constexpr std::uint64_t kPatience = 8;

@@ -23,7 +23,7 @@ struct Features {
 };
 
 // Those with weights.
-inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::edge);
+inline constexpr std::size_t kConfigurations = static_cast<std::size_t>(Configuration::led);
 inline constexpr std::array<std::size_t, kConfigurations> kFeatureCount{2, 5, 6, 10, 3, 3, 7, 5};
 
 using Weights = std::array<std::array<std::int16_t, kFeatures>, kConfigurations>;
@@ -200,6 +200,9 @@ class Predictor {
         if (stencil.configuration == Configuration::tet ||
             stencil.configuration == Configuration::border)
             return guess_by_features(stencil, values);
+        if (stencil.configuration == Configuration::led)
+            return detail::plus(values[stencil.at[7]],
+                                minus(values[stencil.at[9]], values[stencil.at[8]]));
         if (stencil.configuration == Configuration::edge)
             return detail::times(detail::plus(values[stencil.at[0]], values[stencil.at[1]]), 0.5);
         Factors& factors =

@@ -25,18 +25,20 @@ inline constexpr std::uint32_t kSizeNodes = 2 + kUpSteps + kDownSteps;
 struct ResidualContexts {
     static constexpr ContextBlock size{0, kScales + 6, kSizeNodes};
     static constexpr ContextBlock second{size.end(), 16, 16};  // size against expected, size
-    static constexpr ContextBlock outlier{second.end(), 1};
-    static constexpr ContextBlock echo{outlier.end(), 24, 8};
+    static constexpr ContextBlock escape{second.end(), 3, 2};  // axis, was the one before
+    static constexpr ContextBlock escape_same{escape.end(), 3};
+    static constexpr ContextBlock echo{escape_same.end(), 24, 8};
     static constexpr ContextBlock same{echo.end(), 3, 4};
     static constexpr ContextBlock minus_zero{same.end(), 3, 2};
     static constexpr ContextBlock whole_zero{minus_zero.end(), 3, 2};  // is it 0, rest and all?
     static constexpr ContextBlock leading{whole_zero.end(), kMostLeading};
     static constexpr ContextBlock rest_zero{leading.end(), 64};
-    static constexpr ContextBlock level{rest_zero.end(), 8, 12, 4, 2};
+    static constexpr ContextBlock level{rest_zero.end(), 9, 12, 4, 2};
     static constexpr ContextBlock follow{level.end(), 8, 2};
     static constexpr ContextBlock follow_same{follow.end(), 3, 4};
     static constexpr ContextBlock along{follow_same.end(), 3, 16};
-    static constexpr Context count = along.end();
+    static constexpr ContextBlock known{along.end(), 10, 4, 8, 2};
+    static constexpr Context count = known.end();
 };
 
 // What a residual is expected to be like.

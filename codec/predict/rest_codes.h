@@ -1,4 +1,5 @@
-// Codes of a number what is behind its whole part: digits behind the point, and the sign of zero.
+// Codes of a number what is behind its whole part: digits behind the point, the sign of zero, or
+// all bits of a float that is no such number.
 // On either side: `Coder` writes or reads flags and plain bits.
 #pragma once
 
@@ -15,12 +16,15 @@ namespace ravel {
 template <class Coder>
 class RestCodes {
   public:
-    RestCodes(Coder& coder, const NumberFormat& format) : coder_(coder), format_(format) {}
+    // `escape_bits`: of a float; 0 where none is escaped.
+    RestCodes(Coder& coder, const NumberFormat& format, int escape_bits)
+        : coder_(coder), format_(format), escape_bits_(escape_bits) {}
 
     // `guess`: of the value, if it may tell. False: a value no encoder writes.
     bool next(std::uint32_t axis, const double* guess, Number& n) {
         using C = ResidualContexts;
         const NumberFormat& f = format_;
+        if (escape_bits_ > 0 && is_escaped(axis, n)) return true;
         if (f.digits == 0) {
             n.rest = 0;
             if (n.whole == 0 && f.has_minus_zero)
@@ -70,6 +74,19 @@ class RestCodes {
     }
 
   private:
+    // The bits are often those of the last one on the axis.
+    bool is_escaped(std::uint32_t axis, Number& n) {
+        using C = ResidualContexts;
+        n.escaped = coder_.flag(C::escape.at(axis, was_escaped_[axis]), n.escaped);
+        was_escaped_[axis] = n.escaped;
+        if (!n.escaped) return false;
+        std::uint64_t& last = escaped_[axis];
+        if (!coder_.flag(C::escape_same.at(axis), n.rest == last))
+            last = coder_.plain(n.rest, escape_bits_);
+        n.rest = last;
+        return true;
+    }
+
     // The rest as a residual of what lies behind the point of the guess.
     bool next_by(double guess, std::uint32_t axis, int digits, Number& n) {
         const NumberFormat& f = format_;
@@ -90,7 +107,9 @@ class RestCodes {
 
     Coder& coder_;
     const NumberFormat format_;
-    std::array<bool, 3> minus_zero_{}, was_zero_{};
+    const int escape_bits_;
+    std::array<bool, 3> minus_zero_{}, was_zero_{}, was_escaped_{};
+    std::array<std::uint64_t, 3> escaped_{};
     std::array<std::uint64_t, 3> rest_expected_{};
 };
 

@@ -41,7 +41,9 @@ inline constexpr ContextBlock kBorder{kGlue.end(), 7, 4, 3,
 inline constexpr ContextBlock kFlip{kBorder.end(), 2};
 inline constexpr ContextBlock kCopy{kFlip.end(), 2};
 inline constexpr ContextBlock kCopyOf{kCopy.end(), kNumberSteps};
-inline constexpr Context kContexts = kCopyOf.end();
+inline constexpr ContextBlock kLed{kCopyOf.end(), 8, 4,
+                                   2};  // the leader's misses, those of all; is it a new vertex?
+inline constexpr Context kContexts = kLed.end();
 }  // namespace tet
 
 }  // namespace ravel

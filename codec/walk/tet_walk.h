@@ -3,20 +3,25 @@
 // tets against such a front. Where the vertices lie says most about which it is: among the apexes
 // across the edges and the front vertices near by, the one whose sphere through the entry facet
 // lies lowest is asked for first, under contexts of that height and of how many edges fold onto it.
+// Where tets repeat, the last gate of the same shape tells even more.
 //
 // Constant time per tet but for the hash; the search looks at a bounded number of vertices.
 //
 // Truths of the driver (about the tet being entered):
 //     bool apex_is(Id vertex)      is its apex this visited vertex?
 //     Id apex()                    its apex if visited, else kNone
+//     bool is_new_near(Point3, reach)   is its apex not visited, and lies near there?
 //     bool glues(Id facet)         does the walk's facet meet the one it is asked about?
 //     bool border(Id facet)        is there no tet across the walk's facet?
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "walk/apex_list.h"
+#include "walk/apex_search.h"
+#include "walk/gate_shapes.h"
 #include "walk/sphere_family.h"
 #include "walk/tet_front.h"
 #include "walk/vertex_grid.h"
@@ -37,6 +42,7 @@ class TetWalk {
         on_border_.reserve(vertices);
         open_count_.reserve(vertices);
         triangle_of_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
+        if (limits.shape_step > 0) shapes_.emplace(limits.shape_step, vertices);
     }
 
     // False: the answers contradict each other or the limits (only a decoder can see this).
@@ -52,16 +58,7 @@ class TetWalk {
 
   private:
     enum class Apex : std::uint8_t { fold, fresh, old };
-    struct Near {
-        double height, above;
-        Id vertex;
-
-        bool operator<(const Near& other) const {
-            return height != other.height ? height < other.height : vertex < other.vertex;
-        }
-    };
-    static constexpr std::size_t kMostLooked = 1500;  // vertices of a search
-    static constexpr std::size_t kAhead = 1024;       // corners
+    static constexpr std::size_t kAhead = 1024;  // corners
 
     bool wind_component() {
         return wind(
@@ -144,19 +141,16 @@ class TetWalk {
         const TetFront::Triangle& t = front_[entry];
         for (Id i = 0; i < 3; ++i) vertex[base + i] = t.vertex[i];
         Apex kind = Apex::fresh;
-        const Id apex = code_apex(t, kind);
+        Id apex = kNone;
+        const bool led = shapes_ && code_led(t, vertex[gate], kind, apex);
+        if (!led) apex = code_apex(t, kind);
         if (kind == Apex::fresh) {
-            Stencil stencil = stencil_of(Configuration::tet,
-                                         {t.vertex[0], t.vertex[1], t.vertex[2], vertex[gate]});
-            for (Id e = 0; e < 3; ++e) {
-                stencil.at[4 + e] = front_.apex_across(t, e);
-                stencil.borders |= static_cast<std::uint8_t>(front_.across(t, e).border << e);
-            }
-            if (!add_vertex(base + 3, stencil)) return false;
+            if (!add_vertex(base + 3, stencil_at(t, vertex[gate], led))) return false;
         } else {
             if (apex >= walked_.vertex_count || is_in(t, apex)) return false;
             vertex[base + 3] = apex;
         }
+        if (shapes_) shapes_->learn(vertex[base + 3]);
         if (!goes_on_) front_.erase(entry);
         goes_on_ = false;
         count(t, false);
@@ -167,6 +161,43 @@ class TetWalk {
         return true;
     }
 
+    Stencil stencil_at(const TetFront::Triangle& gate, Id behind, bool led) {
+        Stencil stencil = stencil_of(
+            led ? Configuration::led : Configuration::tet,
+            {gate.vertex[0], gate.vertex[1], gate.vertex[2], behind, front_.apex_across(gate, 0),
+             front_.apex_across(gate, 1), front_.apex_across(gate, 2)});
+        if (led) {
+            stencil.at[7] = shapes_->corner();
+            stencil.at[8] = shapes_->leader().corner;
+            stencil.at[9] = shapes_->leader().apex;
+            return stencil;
+        }
+        for (Id e = 0; e < 3; ++e)
+            stencil.borders |= static_cast<std::uint8_t>(front_.across(gate, e).border << e);
+        return stencil;
+    }
+
+    // Does the apex lie as that of the last gate of this shape did, whether it is new or not?
+    bool code_led(const TetFront::Triangle& gate, Id behind, Apex& kind, Id& apex) {
+        const auto place = [&](Id v) -> const Point3& { return driver_.place(v); };
+        shapes_->enter(gate.vertex, behind, place);
+        Leader& leader = shapes_->leader();
+        if (leader.apex == kNone) return false;
+        const Point3 there = shapes_->expected(place);
+        const double reach = limits_.grid_side / 2;
+        apex = nearest_on_front(grid_, gate.vertex, there, reach);
+        const bool fresh = apex == kNone;
+        const bool led =
+            driver_.flag(tet::kLed.at(leader.missed & 7, missed_ & 3, fresh),
+                         fresh ? driver_.is_new_near(there, reach) : driver_.apex_is(apex));
+        leader.missed = leader.missed << 1 | !led;
+        missed_ = missed_ << 1 | !led;
+        if (!fresh) kind = Apex::old;
+        for (Id e = 0; e < 3 && !fresh; ++e)
+            if (front_.apex_across(gate, e) == apex) kind = Apex::fold;
+        return led;
+    }
+
     static bool is_in(const TetFront::Triangle& t, Id v) {
         return v == t.vertex[0] || v == t.vertex[1] || v == t.vertex[2];
     }
@@ -175,7 +206,7 @@ class TetWalk {
                                   driver_.place(gate.vertex[2]), limits_.mirrored);
         list_.clear(family.unit());
         const std::uint32_t borders = offer_folds(gate, family);
-        if (!is_closed_in()) offer_near(gate, family);
+        if (!is_closed_in()) search_.offer_near(grid_, gate.vertex, family, list_);
         const auto answer = [&](const ApexCandidate& candidate) {
             kind = candidate.times > 0 ? Apex::fold : Apex::old;
             return candidate.vertex;
@@ -238,53 +269,6 @@ class TetWalk {
         return borders;
     }
 
-    // Front vertices inside the lowest sphere so far, or inside a rather high one; from low spheres
-    // to higher ones, until one holds a vertex. Where the sphere is large beside the grid's cubes
-    // the search is not made, or ends early.
-    void offer_near(const TetFront::Triangle& gate, const SphereFamily& family) {
-        if (family.flat()) return;
-        const std::size_t folds = list_.size();  // what is found is none of the others found
-        double lowest = 1e300;
-        for (std::size_t i = 0; i < folds; ++i)
-            if (list_[i].above) lowest = std::min(lowest, list_[i].height);
-        for (const double multiple : {1.0, 2.0}) {
-            const double height = std::min(multiple * family.unit(), lowest);
-            bool found = false;
-            for (const Near& near : search(gate, family, height)) {
-                if (list_.holds(near.vertex, folds)) continue;
-                ApexCandidate candidate;
-                candidate.vertex = near.vertex;
-                candidate.height = near.height;
-                candidate.above = true;
-                list_.add(candidate);
-                found = true;
-            }
-            if (found || height == lowest) return;
-        }
-    }
-
-    // The front vertices whose spheres are not above `height`, in `near_`.
-    std::span<Near> search(const TetFront::Triangle& gate, const SphereFamily& family,
-                           double height) {
-        const double twice = 2 * height;
-        std::size_t seen = 0, count = 0;
-        // Whether one is near enough is anyone's guess, so nothing branches on it.
-        grid_.around(family.centre_at(height), family.radius_at(height),
-                     [&](Id v, const Point3& place) {
-                         const SphereFamily::Lift lift = family.lift_of(place);
-                         near_[count] = {lift.twice, lift.above, v};
-                         count += (lift.above > 0) & (lift.twice <= twice * lift.above);
-                         return ++seen < kMostLooked;
-                     });
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Near near = near_[i];
-            near_[kept] = {near.height / (2 * near.above), near.above, near.vertex};
-            kept += !is_in(gate, near.vertex);
-        }
-        return {near_.data(), kept};
-    }
-
     // An apex that is none of the list: by its rank among the front vertices in a large sphere,
     // then among those that only a larger one holds, or by its age.
     Id code_far(const TetFront::Triangle& gate, const SphereFamily& family, Id truth) {
@@ -293,21 +277,23 @@ class TetWalk {
         for (const double multiple : {4.0, 10.0}) {
             if (family.flat()) break;
             const double height = multiple * family.unit();
-            std::span<Near> far = search(gate, family, height);
+            std::span<ApexSearch::Near> far = search_.below(grid_, gate.vertex, family, height);
             far = far.first(static_cast<std::size_t>(
                 std::remove_if(far.begin(), far.end(),
-                               [&](const Near& near) {
+                               [&](const ApexSearch::Near& near) {
                                    return !(near.height > above) ||
                                           list_.holds(near.vertex, list_.size());
                                }) -
                 far.begin()));
             above = height;
-            const auto known = std::find_if(far.begin(), far.end(),
-                                            [&](const Near& near) { return near.vertex == truth; });
+            const auto known =
+                std::find_if(far.begin(), far.end(),
+                             [&](const ApexSearch::Near& near) { return near.vertex == truth; });
             std::uint64_t rank = kMostRanks;
             if (known != far.end())
-                rank = static_cast<std::uint64_t>(std::count_if(
-                    far.begin(), far.end(), [&](const Near& near) { return near < *known; }));
+                rank = static_cast<std::uint64_t>(
+                    std::count_if(far.begin(), far.end(),
+                                  [&](const ApexSearch::Near& near) { return near < *known; }));
             if (!driver_.flag(tet::kNear.at(0), rank < kMostRanks)) continue;
             rank = driver_.number(tet::kNearRank.base, rank);
             if (rank >= std::min<std::uint64_t>(kMostRanks, far.size())) return kNone;
@@ -405,7 +391,9 @@ class TetWalk {
     std::vector<std::uint8_t> on_border_;    // per vertex
     std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it
     ApexList list_;
-    std::vector<Near> near_ = std::vector<Near>(kMostLooked);
+    ApexSearch search_;
+    std::optional<GateShapes> shapes_;
+    std::uint32_t missed_ = 0;  // as of a leader, of all gates that had one
 };
 
 }  // namespace ravel

@@ -80,6 +80,7 @@ struct WalkLimits {
     double grid_side = 1;
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
     bool mirrored = false;
+    double shape_step = 0;  // tets: lengths that tell shapes of gates apart (see GateShapes); or 0
     std::size_t plausible = kNone;  // no more elements than this are reserved ahead
 };
 

@@ -40,9 +40,11 @@ class Points:
         if edge >= 0:
             return [Beside(e - 1)] if e > 0 else []
         configuration, stencil = self.shape.walk.stencils[self.shape.mesh.vertex_of[e]]
+        if configuration == "led":
+            stencil = stencil[:7]
         stencil = stencil + [NONE] * (11 - len(stencil))
         factors = [0] * 11
-        if configuration != "tet":
+        if configuration in ROWS:
             base = base_factors(configuration)
             if all(p != NONE for p, factor in zip(stencil, base) if factor):
                 factors = base

@@ -89,7 +89,7 @@ class CoinSurface(CoinWalk, SurfaceWalk):
 
 
 class CoinTet(CoinWalk, TetWalk):
-    ending = {"kBorder": True, "kGlue": True, "kNew": False}
+    ending = {"kBorder": True, "kGlue": True, "kNew": False, "kLed": False}
 
     def pick_old(self):
         corners = self.triple(self.gate[-1])
@@ -110,8 +110,8 @@ def make_head(keeps_order):
 
 
 def make_positions_head(head):
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False)
-    p.has_outliers = coin(0.2)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0)
+    p.has_escapes = coin(0.3)
     p.has_minus_zero = head.lossless and coin(0.3)
     p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
     p.has_levels = coin(0.5)
@@ -122,7 +122,7 @@ def make_positions_head(head):
         p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
     has_echoes = coin(0.5)
     fitted = random.getrandbits(8) & random.getrandbits(8)
-    flags = p.has_follows | p.has_along << 1 | p.has_outliers << 2 | p.has_minus_zero << 3
+    flags = p.has_follows | p.has_along << 1 | p.has_escapes << 2 | p.has_minus_zero << 3
     out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7, fitted])
     if head.lossless:
         out += varint(zigzag(p.places)) + bytes([p.digits])
@@ -135,6 +135,9 @@ def make_positions_head(head):
             offset = [0 if p.digits or coin(0.2) else random.randint(-60, 60) for _ in range(3)]
             p.echoes.append((random.randrange(8), offset))
             out += bytes([p.echoes[-1][0]]) + b"".join(varint(zigzag(x)) for x in offset)
+    if p.has_levels:
+        p.level_bits = random.choice((0, 0, 1, 2, 4, 7, 12, 52))
+        out += bytes([p.level_bits])
     p.weights = {}
     for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
         count = guesses.WEIGHT_COUNT[c]
@@ -157,16 +160,25 @@ def make_file(seed, rides=False):
     p, positions_bytes = make_positions_head(head)
     edge_points = head.tets and coin(0.4)
     H = random.choice((64, 256) if edge_points else (16, 64, 256))
+    # known levels are as many as points, so those are decided on before the walk
+    points = H - random.choice((0, 0, 1, H // 3)) if p.level_bits else H
     block = SimpleNamespace(
         has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),
-        edge_points=edge_points, cells=2**31, corners=2**31, vertices=H, unused_points=0, uniform_degree=4)
+        edge_points=edge_points, cells=2**31, corners=2**31, vertices=points, unused_points=0, uniform_degree=4)
     if head.tets:
-        block.grid_side = random.choice((1, 2, 5, 30, 1000, 2**52))
+        block.grid_side = random.choice((1, 1, 2, 5, 30, 1000, 2**52))
         block.grid_count = [random.choice((1, 2, 4, 5, 13)) for _ in range(3)]
+        # steps of many sizes: gates are seldom of one shape if it is small, nearly all are if it is large
+        block.shape_step = random.choice((0, 0, 8, 60, 1000, 2**20, 2**52))
+        if block.shape_step:
+            # so that the table of 7.9 has the places here that it has in the file
+            block.vertices = min(points, 64)
+            block.unused_points = points - block.vertices
     else:
         block.uniform_degree = random.choice((0, 0, 0, 0, 2, 3, 4, 5, 11))
-    stream = CoinStream("tet" if head.tets else "surface", {})
-    positions_stream = CoinStream("positions", {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "outlier": 0.1})
+    stream = CoinStream("tet" if head.tets else "surface", {"kLed": random.choice((0.2, 0.6, 0.9, -1))})
+    chances = {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "escape": 0.2}
+    positions_stream = CoinStream("positions", chances)
     positions = CoinPositions(head, block, p, positions_stream)
     walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)
     # each tet brings some edges, whose points are to fit into H too
@@ -178,7 +190,9 @@ def make_file(seed, rides=False):
         # enough points for H to be that of the file
         least = 0 if H == 16 else H // 2 + 1 - walk.vertex_count
         unused_points = max(least, random.choice((0, 0, 1, 4)) + len(walk.edges.ends))
-        if walk.vertex_count + unused_points > H:
+        if p.level_bits:
+            unused_points = points - walk.vertex_count
+        if walk.vertex_count + unused_points > H or unused_points < len(walk.edges.ends):
             return None
         block.unused_points = unused_points
         positions.read_unused_points(walk.edges)
@@ -198,7 +212,7 @@ def make_file(seed, rides=False):
         fields.append(walk.copy_of.count(NONE))
     fields += [block.unused_points, riding.companions, walk.seeds, block.links]
     if head.tets:
-        fields += [block.grid_side, *block.grid_count]
+        fields += [block.grid_side, *block.grid_count, block.shape_step]
     sections = {
         container.HEAD: head_bytes + riding.head,
         container.BLOCK: bytes([flags]) + b"".join(varint(x) for x in fields),
@@ -223,7 +237,7 @@ def damage(data):
 
 
 def whole_file(sections):
-    return b"Rav1\x03" + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
+    return b"Rav1" + bytes([container.VERSION]) + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
 
 
 def section(id, data):

@@ -7,6 +7,8 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, corrupt, require
 
+VERSION = 4
+
 HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
 
 POINT, CORNER, CELL, COMPANION, MESH = range(5)
@@ -19,8 +21,8 @@ def read_sections(data):
         raise Invalid("not_a_ravel_file", "no magic")
     if len(data) == 4:
         raise Invalid("truncated", "no version")
-    if data[4:5] != b"\x03":
-        raise Invalid("unsupported_version", "version is not 3")
+    if data[4] != VERSION:
+        raise Invalid("unsupported_version", f"version is not {VERSION}")
     file = Bytes(data, "truncated", 5)
     sections = {}
     last = 0
@@ -181,6 +183,8 @@ def read_block(data, tets):
         require(all(1 <= n < 2**32 for n in b.grid_count), "grid_count")
         blocks = math.prod((n + 3) // 4 for n in b.grid_count)
         require(blocks <= b.vertices // 4 + 64, "grid_count: too many blocks of cubes")
+        b.shape_step = bytes.varint()
+        require(b.shape_step <= 2**52, "shape_step")
     bytes.end()
     return b
 

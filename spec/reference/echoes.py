@@ -86,7 +86,7 @@ class Echoes:
         return best
 
     def read(self, v, guess):
-        """8.4 step 4: (vertex, e) if vertex v is echoed, otherwise None."""
+        """8.4 step 3: (vertex, e) if vertex v is echoed, otherwise None."""
         best = self.look_for(v, guess)
         echoed = False
         if best:

@@ -19,7 +19,7 @@ class Followers:
         self.history = 0
 
     def skip(self):
-        """A copy or an outlier."""
+        """A copy or the point of an edge."""
         self.course_of.append(0)
 
     def advance(self, v, configuration, stencil):

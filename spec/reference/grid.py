@@ -1,6 +1,9 @@
-"""7.6: the grid of the vertices on the front, and `search` of 7.4."""
+"""7.6: the grid of the vertices on the front, and what 7.4 and 7.9 search in it."""
 
 import math
+
+MOST_BLOCKS = 512
+MOST_LOOKED_AT = 1500
 
 
 class Grid:
@@ -26,24 +29,27 @@ class Grid:
         self.cubes[self.cube(place)].remove(v)
 
     def search(self, spheres, h, place, corners):
-        """Yields the vertex and the height of all that are found."""
-        centre = spheres.centre_at(h)
-        radius = spheres.radius_at(h)
+        """7.4: yields the vertex and the height of all that are found."""
+        for v in self.in_box(spheres.centre_at(h), spheres.radius_at(h), MOST_LOOKED_AT):
+            d, e = spheres.lift(place(v))
+            if d > 0 and e <= (2 * h) * d and v not in corners:
+                yield v, e / (2 * d)
+
+    def in_box(self, centre, radius, most):
+        """7.4 and 7.9: yields the vertices to be looked at."""
         # 1
         low = [self.step(centre[axis] - radius, axis) for axis in range(3)]
         high = [self.step(centre[axis] + radius, axis) for axis in range(3)]
-        if math.prod(high[axis] // 4 - low[axis] // 4 + 1 for axis in range(3)) > 512:
+        if math.prod(high[axis] // 4 - low[axis] // 4 + 1 for axis in range(3)) > MOST_BLOCKS:
             return
         # 2
         looked = 0
         for cube in self.in_order(low, high):
             for v in self.cubes.get(cube, ()):
-                if looked == 1500:
+                if looked == most:
                     return
                 looked += 1
-                d, e = spheres.lift(place(v))
-                if d > 0 and e <= (2 * h) * d and v not in corners:
-                    yield v, e / (2 * d)
+                yield v
 
     def in_order(self, low, high):
         """Block by block."""

@@ -4,7 +4,7 @@ import math
 
 from conventions import NONE, cross, divide, dot, length, minus, plus, times
 
-NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "border", "edge")
+NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "border", "led", "edge")
 NUMBER = {name: i for i, name in enumerate(NAMES)}
 WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7, 5)
 DEFAULTS = {
@@ -39,11 +39,14 @@ ROWS = {
 
 
 def guess(configuration, stencil, value, weights, mirrored):
-    """g on each axis; `stencil` has 11 places, `value` the values of the vertices."""
+    """g on each axis, but for `edge`; `stencil` has 11 places, `value` the values of the vertices."""
     if configuration == "tet":
         return _guess_tet([value[v] for v in stencil[:7]], weights, mirrored)
     if configuration == "border":
         return _guess_border([value[v] for v in stencil[:4]], weights)
+    if configuration == "led":
+        p = [value[v] for v in stencil[7:10]]
+        return plus(p[0], minus(p[2], p[1]))
     total = [0] * 11
     for row, w in zip(ROWS[configuration], [4096] + weights):
         if any(factor != 0 and stencil[i] == NONE for i, factor in enumerate(row)):

@@ -14,10 +14,11 @@ def bits_of(x, wide):
 
 def coordinates(head, positions, v):
     """8.9: the bits of the three coordinates of vertex v."""
-    if v in positions.outlier_bits:
-        return tuple(positions.outlier_bits[v])
     result = []
     for k in range(3):
+        if (v, k) in positions.escaped_bits:
+            result.append(positions.escaped_bits[v, k])
+            continue
         if head.lossless:
             x = positions.coordinate_of(v, k)
         else:

@@ -10,6 +10,7 @@ from echoes import Echoes
 from errors import require
 from followers import Followers
 from guesses import NUMBER
+from levels import Levels
 from sizes import MOST32, Sizes, scale_of
 
 GRID, DECIMAL, BINARY = range(3)
@@ -18,12 +19,12 @@ GRID, DECIMAL, BINARY = range(3)
 def read_positions_head(data, head):
     """8.1"""
     bytes = Bytes(data)
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0)
     flags = bytes.u8()
     p.has_follows = bool(flags & 1)
     p.has_along = bool(flags & 2)
     require(head.tets or not p.has_along, "has_along of polygons")
-    p.has_outliers = bool(flags & 4)
+    p.has_escapes = bool(flags & 4)
     p.has_minus_zero = bool(flags & 8)
     p.base = flags >> 4 & 3
     has_echoes = bool(flags & 64)
@@ -52,6 +53,9 @@ def read_positions_head(data, head):
             require(all(abs(x) <= 2**53 for x in offset), "offset of an echo")
             require(p.digits == 0 or not any(offset), "offset of an echo with digits")
             p.echoes.append((mirrored, offset))
+    if p.has_levels:
+        p.level_bits = bytes.u8()
+        require(p.level_bits <= 52, "level_bits")
     p.weights = {}
     for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
         count = guesses.WEIGHT_COUNT[c]
@@ -88,19 +92,21 @@ class Positions:
         self.contexts = self.stream.blocks
         self.value = []
         self.coordinate = []
-        self.outlier_bits = {}
+        self.escaped_bits = {}  # by vertex and axis
         self.sizes = Sizes(stream, len(guesses.NAMES))
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
         self.along = Along(self) if p.has_along else None
+        self.levels = Levels(block, p, self) if p.has_levels else None
         self.prior = NONE
         self.same_history = 0
         self.follow_same_history = 0
-        self.level_history = [0, 0, 0]
         self.usual_rest = [0, 0, 0]
         self.rounds = self.base == BINARY and not self.wide
         self.last_minus_zero = [False] * 3
         self.last_whole_zero = [False] * 3
+        self.last_escape = [False] * 3
+        self.last_escaped_bits = [0] * 3
 
     def flag(self, name, *coordinates):
         return self.stream.flag(self.contexts[name], *coordinates)
@@ -136,7 +142,7 @@ class Positions:
         return value, coordinate
 
     def coordinate_of(self, v, axis):
-        """The coordinate of a vertex that is no outlier, where it is `lossless`."""
+        """The coordinate of a vertex that is not escaped on this axis, where it is `lossless`."""
         if self.keeps_coordinates:
             return self.coordinate[v][axis]
         value = self.value[v][axis]
@@ -152,7 +158,7 @@ class Positions:
             g = tuple((x + y) * 0.5 for x, y in zip(a, b))
         else:
             g = guesses.guess(
-                configuration, stencil, self.value, self.head.weights[configuration], self.block.mirrored)
+                configuration, stencil, self.value, self.head.weights.get(configuration), self.block.mirrored)
         g = tuple(clamp(x, -float(self.M), float(self.M)) for x in g)
         return tuple(to_24_digits(x) for x in g) if configuration == "edge" and self.rounds else g
 
@@ -169,21 +175,9 @@ class Positions:
         near = stencil[2:5] if on_edge else stencil[:3]
         sizes.begin([p for p in near if p != NONE], NUMBER[configuration])
         # 1
-        if self.head.has_outliers and self.flag("outlier", 0):
-            self.outlier_bits[v] = [self.stream.plain(64 if self.wide else 32) for _ in range(3)]
-            p0 = stencil[0]
-            if p0 == NONE:
-                self.add((0.0,) * 3, (0.0,) * 3)
-            else:
-                self.add(self.value[p0], self.coordinate[p0])
-            sizes.keep(v, sizes.half)
-            if self.followers:
-                self.followers.skip()
-            return
-        # 2
         guess = self.guess(configuration, stencil)
         w = [self.whole_of(x) for x in guess]
-        # 3
+        # 2
         follows = repeats = False
         leader = NONE
         if self.followers and not on_edge:
@@ -193,20 +187,20 @@ class Positions:
                 repeats, whole_said, value_said, coordinate_said = self.followers.says(
                     v, leader, configuration, stencil, guess)
                 follows = self.followers.read(repeats)
-        # 4
+        # 3
         echo = None
         if self.echoes and not follows and not on_edge:
             echo = self.echoes.read(v, guess)
             if echo:
                 said = [self.echoes.says(*echo, k, self.M) for k in range(3)]
                 whole_said, value_said, coordinate_said = zip(*said)
-        # 5
+        # 4
         self.prior = NONE
         if follows:
             self.prior = leader
         elif echo and self.head.echoes[echo[1]][0] == 0:
             self.prior = echo[0]
-        # 6
+        # 5
         border = None
         if self.along and not follows and not echo:
             border = self.along.read(stencil, borders)
@@ -215,9 +209,9 @@ class Positions:
             stencil = border.stencil
             guess = self.guess(configuration, stencil)
             w = [self.whole_of(x) for x in guess]
-            # 7
+            # 6
             sizes.begin(stencil[:3], NUMBER[configuration], border.order)
-        # 8
+        # 7
         value = [0.0] * 3
         coordinate = [None] * 3
         for k in sizes.order:
@@ -225,7 +219,7 @@ class Positions:
             if border and k == border.last:
                 w[k] = self.whole_of(clamp(border.on_plane(guess, value), -float(self.M), float(self.M)))
                 off_plane = self.along.expected(border)
-            # 8.1
+            # 7.1
             same = False
             level = None
             if echo:
@@ -234,10 +228,10 @@ class Positions:
             elif follows and (repeats or self.digits == 0):
                 same = self.flag("follow_same", k, self.follow_same_history)
                 self.follow_same_history = (self.follow_same_history * 2 + same) % 4
-            elif not follows and self.head.has_levels and not on_edge:
-                level = self.read_level(configuration, stencil, k, w[k])
+            elif not follows and self.levels and not on_edge:
+                level = self.levels.read(configuration, stencil, k, w[k])
                 same = level is not None
-            # 8.2
+            # 7.2
             if same:
                 if level is not None:
                     value[k] = self.value[level][k]
@@ -247,7 +241,7 @@ class Positions:
                     coordinate[k] = coordinate_said[k]
                     require(abs(value[k]) < self.M, "the value of an echo or of a leader")
                 continue
-            # 8.3
+            # 7.3
             if echo:
                 residual = sizes.residual(k, 96 + k)
             elif follows:
@@ -257,12 +251,13 @@ class Positions:
             whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
             require(-self.M < whole < self.M, "whole")
             told = guess[k] if on_edge and residual == 0 else None
-            value[k], coordinate[k] = self.value_and_coordinate(whole, *self.behind_the_point(k, whole, told))
+            behind = self.behind_the_point(v, k, whole, told)
+            value[k], coordinate[k] = self.value_and_coordinate(whole, *behind)
         if border:
             k = border.last
             self.along.keep(v, sizes.r[k])
             sizes.r[k] = min(math.trunc(abs(value[k] - guess[k]) + 0.5), MOST32)
-        # 9
+        # 8
         sizes.keep(v, sizes.half if follows or echo else None)
         self.add(tuple(value), tuple(coordinate))
         if self.followers:
@@ -276,31 +271,15 @@ class Positions:
         self.coordinate.append(coordinate)
         if self.echoes:
             self.echoes.enter(len(self.value) - 1)
-
-    # 8.5.3
-
-    def read_level(self, configuration, stencil, k, w):
-        """The vertex whose value on axis k this vertex has; None if there is none."""
-        there = [p for p in stencil[:7] if p != NONE]
-        most = 0
-        level = None
-        for i, p in enumerate(there):
-            votes = 1 + sum(self.value[q][k] == self.value[p][k] for q in there[i + 1 :])
-            if votes > most:
-                most = votes
-                level = p
-        if most < 2:
-            return None
-        g = w == math.trunc(self.value[level][k])
-        h = self.level_history[k]
-        same = self.flag("level", NUMBER[configuration], most, h, g)
-        self.level_history[k] = (h * 2 + same) % 4
-        return level if same else None
+        if self.levels:
+            self.levels.enter(len(self.value) - 1)
 
     # 8.5.4
 
-    def behind_the_point(self, axis, whole, told):
+    def behind_the_point(self, v, axis, whole, told):
         """rest, zeros, negative; `told`: the guess, where it tells of the rest"""
+        if self.head.has_escapes and self.read_escape(v, axis):
+            return 0, 0, False
         has_minus_zero = self.head.has_minus_zero
         if self.digits == 0:
             negative = False
@@ -330,6 +309,16 @@ class Positions:
         if self.base == DECIMAL:
             require(self.places + zeros + e <= 22, "more than 22 decimal places")
         return self.read_rest(e), zeros, negative
+
+    def read_escape(self, v, axis):
+        """Whether the coordinate is escaped; if so its bits are kept."""
+        escaped = self.flag("escape", axis, self.last_escape[axis])
+        self.last_escape[axis] = escaped
+        if escaped:
+            if not self.flag("escape_same", axis):
+                self.last_escaped_bits[axis] = self.stream.plain(64 if self.wide else 32)
+            self.escaped_bits[v, axis] = self.last_escaped_bits[axis]
+        return escaped
 
     def read_rest(self, e):
         if self.base == DECIMAL:

@@ -6,6 +6,7 @@ from apex import Apex
 from conventions import NONE, cross, dot, minus
 from errors import require
 from grid import Grid
+from shapes import Gate, Shapes
 from walk import BORDER, GONE, OPEN, Walk
 
 OUTWARD = ((1, 2, 3), (2, 0, 3), (0, 1, 3), (0, 2, 1))
@@ -23,6 +24,7 @@ class TetWalk(Walk):
         self.grid = Grid(block)
         self.open_facets = {}  # by their vertices, for 7.7
         self.places = []
+        self.shapes = Shapes(self) if block.shape_step > 0 else None
 
     # 7.1
 
@@ -101,14 +103,21 @@ class TetWalk(Walk):
         corners = self.triple(gate)
         self.vertex[base : base + 3] = corners
         # 2
-        kind, apex = Apex(self, gate, corners).read()
+        shape = Gate(self.shapes, gate, corners) if self.shapes else None
+        told = shape.read() if shape else None
+        kind, apex = told or Apex(self, gate, corners).read()
         if kind == "fresh":
-            across = [self.apex_across(gate, e) for e in range(3)]
-            borders = [e for e in range(3) if self.state[self.across(gate, e)] == BORDER]
-            self.new_vertex(base + 3, "tet", [*corners, self.vertex[gate], *across], borders)
+            stencil = [*corners, self.vertex[gate], *(self.apex_across(gate, e) for e in range(3))]
+            if told:
+                self.new_vertex(base + 3, "led", stencil + shape.led)
+            else:
+                borders = [e for e in range(3) if self.state[self.across(gate, e)] == BORDER]
+                self.new_vertex(base + 3, "tet", stencil, borders)
         else:
             require(apex < self.vertex_count and apex not in corners, "apex that is a corner of the gate")
             self.vertex[base + 3] = apex
+        if shape:
+            shape.lead(self.vertex[base + 3])
         # 3
         self.closed(gate)
         self.state[gate] = GONE

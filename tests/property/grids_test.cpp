@@ -103,7 +103,7 @@ TEST_CASE("the bound asked for holds, in units and in diagonals") {
         }
 }
 
-TEST_CASE("one far point is an outlier and leaves the grid as it was") {
+TEST_CASE("one far point is escaped and leaves the grid as it was") {
     EncodeOptions options;
     options.position_bits = 10;
     for (const double far : {1e38, -1e30, 1e300}) {
@@ -147,7 +147,8 @@ TEST_CASE("options for grids that make no sense are refused") {
 TEST_CASE("what was decoded packs to the same bytes again") {
     for (const char* recipe :
          {"torus:quads=900", "polygons:mixed,size=14x14,shuffle", "terrain:size=30x20,holes=4",
-          "tets:box=5,five,jitter=0.3,shuffle", "tets:ball=5,copies=2", "polygons:cap,size=30"}) {
+          "tets:box=5,five,jitter=0.3,shuffle", "tets:ball=5,copies=2", "polygons:cap,size=30",
+          "tets:box=7,shuffle", "tets:box=6x5x7,five,shuffle", "tets:ball=6,shuffle"}) {
         const Mesh mesh = made(recipe);
         const Result<Encoded> first = encode(mesh, {});
         REQUIRE(first.ok());

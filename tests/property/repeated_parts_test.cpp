@@ -107,7 +107,7 @@ TEST_CASE("mirror images cost half") {
     CHECK(share(place, true, true, 14) < 0.8);
 }
 
-TEST_CASE("outliers and zeros of both signs among repeated parts come back") {
+TEST_CASE("escaped coordinates and zeros of both signs among repeated parts come back") {
     Mesh mesh = sheets(
         6,
         [](Point p, int part) {

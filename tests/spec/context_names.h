@@ -31,7 +31,7 @@ inline const std::vector<NamedBlock>& tet_blocks() {
         {"kLowest", tet::kLowest}, {"kNew", tet::kNew},           {"kNext", tet::kNext},
         {"kNear", tet::kNear},     {"kNearRank", tet::kNearRank}, {"kOldFar", tet::kOldFar},
         {"kGlue", tet::kGlue},     {"kBorder", tet::kBorder},     {"kFlip", tet::kFlip},
-        {"kCopy", tet::kCopy},     {"kCopyOf", tet::kCopyOf}};
+        {"kCopy", tet::kCopy},     {"kCopyOf", tet::kCopyOf},     {"kLed", tet::kLed}};
     return blocks;
 }
 
@@ -39,7 +39,8 @@ inline const std::vector<NamedBlock>& position_blocks() {
     using R = ResidualContexts;
     static const std::vector<NamedBlock> blocks{{"size", R::size},
                                                 {"second", R::second},
-                                                {"outlier", R::outlier},
+                                                {"escape", R::escape},
+                                                {"escape_same", R::escape_same},
                                                 {"echo", R::echo},
                                                 {"same", R::same},
                                                 {"minus_zero", R::minus_zero},
@@ -49,7 +50,8 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"level", R::level},
                                                 {"follow", R::follow},
                                                 {"follow_same", R::follow_same},
-                                                {"along", R::along}};
+                                                {"along", R::along},
+                                                {"known", R::known}};
     return blocks;
 }
 

@@ -75,6 +75,8 @@ void InvalidMaker::counts() {
     grid("many", "65 is the most blocks of cubes of 5 vertices", [](BlockHead& b) {
         b.grid_count = {261, 1, 1};
     });
+    grid("shapes", "shape_step is 2^52 + 1",
+         [](BlockHead& b) { b.shape_step = (Index{1} << 52) + 1; });
     block(22, "cells", "a million cells", [](BlockHead& b) { b.cells = 1000000; });
     add(23, "connectivity", "connectivity is empty",
         raw_changed("two-quads", SectionId::connectivity, [](Bytes& raw) { raw.clear(); }));

@@ -55,6 +55,7 @@ void tell_block(Fields f, bool tets) {
     if (!tets) return;
     f.varint("grid_side");
     for (int axis = 0; axis < 3; ++axis) f.varint("grid_count");
+    f.varint("shape_step");
 }
 
 PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& block) {
@@ -62,7 +63,7 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
     format.narrow = head.position_scalar == Scalar::f32;
     format.mirrored = block.mirrored;
     const unsigned flags = f.u8("flags"), fitted = f.u8("fitted");
-    format.has_outliers = (flags & 4) != 0;
+    format.has_escapes = (flags & 4) != 0;
     format.numbers.has_minus_zero = (flags & 8) != 0;
     format.numbers.base = static_cast<NumberBase>(flags >> 4 & 3);
     format.has_levels = (flags & 128) != 0;
@@ -86,6 +87,7 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
             format.echoes.push_back(echo);
         }
     }
+    if (format.has_levels) format.level_bits = static_cast<int>(f.u8("level_bits"));
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             format.weights[c][i] = static_cast<std::int16_t>(f.signed_varint("weight"));

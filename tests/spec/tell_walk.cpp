@@ -131,9 +131,9 @@ struct TraceCoder {
     std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
 };
 
-constexpr const char* kConfigurationName[] = {"seed",        "quad_third", "quad_fourth",
-                                              "quad_corner", "triangle",   "polygon",
-                                              "tet",         "border",     "edge"};
+constexpr const char* kConfigurationName[] = {
+    "seed",    "quad_third", "quad_fourth", "quad_corner", "triangle",
+    "polygon", "tet",        "border",      "led",         "edge"};
 
 class TraceDriver {
   public:
@@ -169,7 +169,7 @@ class TraceDriver {
         if (of != kNone)
             positions_.copy(of);
         else
-            bad_ = !positions_.next(stencil, {}, false);
+            bad_ = !positions_.next(stencil, {});
         places_.push_back(place_of(positions_.format(), positions_.values().back()));
         tell_vertex(v, stencil, of);
     }
@@ -215,6 +215,7 @@ class TraceDriver {
     Id gap(Id, bool&) const { return kNone; }
     bool apex_is(Id) const { return false; }
     Id apex() const { return kNone; }
+    bool is_new_near(const Point3&, double) const { return false; }
     bool glues(Id) const { return false; }
     bool border(Id) const { return false; }
 
@@ -265,6 +266,7 @@ std::string tell_walk(const Head& head, const BlockHead& block, const Bytes& con
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.mirrored = block.mirrored;
+    limits.shape_step = static_cast<double>(block.shape_step);
     limits.plausible = 1 << 20;
     TraceDriver driver(codes, positions, block, tets, telling);
     if (!(tets ? run<TetWalk<TraceDriver>>(driver, limits)
@@ -274,7 +276,7 @@ std::string tell_walk(const Head& head, const BlockHead& block, const Bytes& con
     for (Index i = 0; i < block.unused_points; ++i) {
         const Index v = block.vertices + i;
         const Stencil stencil = stencil_of_unused(edges, i, block.vertices);
-        if (!positions.next(stencil, {}, false)) return "an unused point fails";
+        if (!positions.next(stencil, {})) return "an unused point fails";
         driver.tell_vertex(static_cast<Id>(v), stencil, kNone);
     }
     return codes.finished() && bits.finished() ? "" : "the streams are not at their end";

@@ -97,7 +97,7 @@ class TwistDriver {
             else
                 bad_ = true;
         } else {
-            bad_ = !positions_.next(stencil, {}, false) || bad_;
+            bad_ = !positions_.next(stencil, {}) || bad_;
         }
         if (!bad_)
             places_.push_back(place_of(positions_.format(), positions_.values().back()));
@@ -116,6 +116,7 @@ class TwistDriver {
     Id gap(Id, bool&) const { return kNone; }
     bool apex_is(Id) const { return false; }
     Id apex() const { return kNone; }
+    bool is_new_near(const Point3&, double) const { return false; }
     bool glues(Id) const { return false; }
     bool border(Id) const { return false; }
 
@@ -188,6 +189,7 @@ Bytes with_twisted_walk(const Bytes& file, const Twist& twist) {
     limits.has_border = o.block.has_border;
     limits.grid_side = static_cast<double>(o.block.grid_side);
     limits.grid_count = o.block.grid_count;
+    limits.shape_step = static_cast<double>(o.block.shape_step);
     limits.mirrored = o.block.mirrored;
     limits.plausible = 1 << 20;
     if (o.head.kind == CellKind::tet ? goes_through<TetWalk<TwistDriver>>(driver, limits)
@@ -210,7 +212,7 @@ Bytes with_positions(const Bytes& file, const Positions& positions) {
         Stencil stencil;
         for (Id k = 0; k < 3 && k < v; ++k) stencil.at[k] = v - 1 - k;
         if (v == 3) stencil = stencil_of(Configuration::quad_fourth, {0, 2, 1});
-        sane = codes.next(stencil, positions.truth[v], false);
+        sane = codes.next(stencil, positions.truth[v]);
     }
     if (sane) throw std::runtime_error("positions without fault");
     const Bytes bits = coder.out.finish();

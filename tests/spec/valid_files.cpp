@@ -109,7 +109,7 @@ std::vector<ValidFile> valid_files() {
     add("binary", "float64 of all 53 bits",
         with_coordinates(made("tiny:quad"),
                          [](std::size_t i, double x) { return x + std::sqrt(double(i + 2)); }));
-    add("outliers", "a grid, and a point that is not a number, one at infinity",
+    add("escapes", "a grid, and coordinates that are not a number, and at infinity",
         with_coordinates(made("grid:size=3x2"),
                          [](std::size_t i, double x) {
                              return i == 4    ? std::bit_cast<double>(0x7FF8000000001234)
@@ -117,6 +117,15 @@ std::vector<ValidFile> valid_files() {
                                               : x;
                          }),
         bits(6));
+    add("escapes-exact", "decimals, and some that are far smaller",
+        with_coordinates(made("grid:size=5x4,double"), [](std::size_t i, double x) {
+            return i % 7 == 3 ? 6.123233995736766e-17 : std::nearbyint(1000 * x) / 1000 + 0.125;
+        }));
+    add("levels", "places that are known from elsewhere",
+        with_coordinates(made("grid:size=9x8"), [](std::size_t i, double x) {
+            const std::size_t p = i / 3;
+            return i % 3 == 2 ? double(p * p * 31 % 7 * 37) : std::nearbyint(x * 8) * 41;
+        }));
     add_made("lattice", "multiples of a sixteenth", "terrain:size=4x3,double", lattice);
     add("mirrored", "a sheet and its mirror image: echoes",
         with_coordinates(made("grid:size=16x3"), [](std::size_t i, double x) {
@@ -150,6 +159,7 @@ std::vector<ValidFile> valid_files() {
     add("tet-flipped", "a tet turned inside out: a flip", turned);
     add_made("flat-tet", "tets that repeat a corner", "tiny:flat-tet");
     add_made("box", "tets of a box, on a grid", "tets:box=2x1x1", bits(9));
+    add_made("cubes", "cubes that are cut alike: gates of one shape", "tets:box=4x3x3", bits(9));
     add_made("ball", "tets of a ball, lossless", "tets:ball=2,jitter=0.1");
     add_made("shell", "tets with a hole, on a grid", "tets:shell=3,jitter=0.1", bits(10));
     add_made("many-tets", "fitted weights", "tets:ball=6,jitter=0.2,seed=3", bits(14));

@@ -64,8 +64,7 @@ void learn_residuals(const Complex& complex, const Course& course, PositionPlan&
         if (course.record.copy_of[v] != kNone)
             codes.copy(course.record.copy_of[v]);
         else
-            codes.next(course.record.stencils[v], plan.values[p],
-                       !plan.outlier.empty() && plan.outlier[p]);
+            codes.next(course.record.stencils[v], plan.values[p]);
     }
     into.take_in(tape.tally);
 }

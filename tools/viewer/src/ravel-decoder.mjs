@@ -19,11 +19,11 @@ function bytes_of_text(text) {
     return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
 }
 
-// The module comes packed; a small one unpacks it (decoder/unlzma.cpp), behind a zero.
+// The module comes packed; a small one unpacks it (decoder/unpack_module.cpp).
 async function compile() {
     const { instance } = await WebAssembly.instantiate(bytes_of_text(unpacker));
     const { memory, unpack } = instance.exports, bytes = bytes_of_text(packed);
-    const from = memory.buffer.byteLength, to = from + bytes.length + 1;
+    const from = memory.buffer.byteLength, to = from + bytes.length;
     memory.grow(Math.ceil((to + size - from) / 65536));
     new Uint8Array(memory.buffer).set(bytes, from);
     unpack(from, to, size);

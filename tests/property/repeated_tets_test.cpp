@@ -1,0 +1,102 @@
+// Tets that repeat, and places that many vertices share, cost next to nothing; what does not fit a
+// mesh's numbers costs itself and nothing else.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+
+#include "make/make_mesh.h"
+#include "ravel/ravel.h"
+#include "support/mesh_from_bytes.h"
+
+using namespace ravel;
+
+namespace {
+
+Mesh made(const std::string& recipe) {
+    auto mesh = make::make_mesh(recipe);
+    REQUIRE(mesh.ok());
+    return std::move(*mesh);
+}
+
+struct Cost {
+    double bits_per_cell = 0;
+    double connectivity = 0;  // bits per cell
+};
+
+Cost cost_of(const Mesh& mesh, std::optional<int> bits) {
+    EncodeOptions options;
+    options.position_bits = bits;
+    CHECK(test::trouble(mesh, options) == "");
+    const Result<Encoded> packed = encode(mesh, options);
+    REQUIRE(packed.ok());
+    const auto cells = static_cast<double>(mesh.cell_count());
+    return {8 * static_cast<double>(packed->bytes.size()) / cells,
+            8 * packed->connectivity_ideal_bytes / cells};
+}
+
+}  // namespace
+
+TEST_CASE("cubes that are cut alike cost next to nothing") {
+    for (const char* recipe : {"tets:box=14", "tets:box=14,five", "tets:box=14,double,shuffle",
+                               "tets:box=20x10x12,copies=3"})
+        for (const std::optional<int> bits : {std::optional<int>{}, std::optional<int>{14}}) {
+            INFO(recipe << ", " << bits.value_or(0) << " bits");
+            const Cost cost = cost_of(made(recipe), bits);
+            CHECK(cost.connectivity < 0.1);
+            CHECK(cost.bits_per_cell < 0.25);
+        }
+}
+
+TEST_CASE("cubes that are cut alike and bent cost less than others") {
+    const Cost bent = cost_of(made("tets:ball=9"), 14);
+    const Cost rough = cost_of(made("tets:ball=9,jitter=0.3"), 14);
+    CHECK(bent.connectivity < 0.95 * rough.connectivity);
+}
+
+TEST_CASE("a lattice with holes, and one beside rough tets, come back") {
+    Mesh mesh = made("tets:box=8,companions,attributes");
+    // Every seventh tet goes.
+    std::vector<Index> corners;
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+        if (c % 7 != 3)
+            corners.insert(corners.end(), mesh.corners.begin() + static_cast<std::ptrdiff_t>(4 * c),
+                           mesh.corners.begin() + static_cast<std::ptrdiff_t>(4 * c + 4));
+    Mesh holes;
+    holes.kind = CellKind::tet;
+    holes.positions = mesh.positions;
+    holes.corners = corners;
+    for (const bool order : {false, true}) {
+        EncodeOptions options;
+        options.keep_order = order;
+        options.position_bits = 12;
+        CHECK(test::trouble(holes, options) == "");
+        options.position_bits = {};
+        CHECK(test::trouble(holes, options) == "");
+        CHECK(test::trouble(mesh, options) == "");
+    }
+    auto x = holes.positions.as<float>();
+    for (std::size_t i = 0; i < x.size() / 2; ++i) x[i] += 0.01f * static_cast<float>(i * i % 17);
+    CHECK(test::trouble(holes, {}) == "");
+}
+
+TEST_CASE("levels of a grid cost once, whether neighbours have them or not") {
+    // Steps of a 14-bit grid do not divide the sheet: each line is rounded in its own way.
+    CHECK(cost_of(made("grid:size=60x60,triangles"), 14).bits_per_cell < 0.25);
+    CHECK(cost_of(made("grid:size=60x60"), 14).bits_per_cell < 0.25);
+}
+
+TEST_CASE("a coordinate that is no number of the mesh costs itself alone") {
+    Mesh mesh = made("tets:box=8,jitter=0.2,double");
+    auto x = mesh.positions.as<double>();
+    for (double& c : x) c = std::nearbyint(1000 * c) / 1000;
+    const Cost before = cost_of(mesh, {});
+    // One coordinate in thirty has another last bit, as after some arithmetic.
+    std::size_t few = 0;
+    for (std::size_t i = 0; i < x.size(); i += 31, ++few) x[i] = std::nextafter(x[i], 100.0);
+    const Cost after = cost_of(mesh, {});
+    const double each = (after.bits_per_cell - before.bits_per_cell) *
+                        static_cast<double>(mesh.cell_count()) / static_cast<double>(few);
+    CHECK(each < 100);
+    CHECK(after.connectivity < 1.2 * before.connectivity);
+}
