@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mesh/complex.h"
@@ -16,75 +17,92 @@ namespace ravel {
 
 inline constexpr int kMostLevelBits = 52;
 
-// Levels in intervals of length 2^bits, hashed. A look takes two intervals, at most 12 levels each,
-// latest first; what another interval with the same hash holds is among them, so the hash is part
-// of the format. Constant time. There are no more levels than vertices.
+// Levels in intervals of length 2^bits, hashed; intervals of the same hash share a list, so the
+// hash is part of the format. A list has eight levels, those that were had last. Constant time,
+// with few branches.
 class KnownLevels {
   public:
     KnownLevels(int bits, std::size_t vertices)
         : scale_(std::ldexp(1.0, -bits)),
-          half_(std::ldexp(0.5, bits)),
-          mask_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)) - 1),
-          heads_(3 * (mask_ + 1), kNone),
-          most_(vertices) {
-        levels_.reserve(vertices);
-    }
+          length_(std::ldexp(1.0, bits)),
+          mask_(std::bit_ceil(std::clamp(vertices / 16, std::size_t{16}, std::size_t{1} << 20)) -
+                1),
+          lists_(3 * (mask_ + 1)) {}
 
     struct Near {
         Id vertex = kNone;        // the first that had it
         std::uint32_t count = 0;  // vertices that had it
         double distance = 0;
+        std::size_t list = 0, place = 0;
     };
-    // The level nearest to x, less than half an interval away.
+    // The level nearest to x, less than half an interval away: in the interval of x, or the one
+    // beside if that may hold a nearer one.
     Near nearest(std::size_t axis, double x) const {
         Near best;
-        best.distance = half_;
-        const std::int64_t low = whole_below(x * scale_ - 0.5);
-        for (const std::int64_t interval : {low, low + 1})
-            find(heads_[slot(axis, interval)], [&](const Level& level) {
-                const double d = std::abs(level.x - x);
-                if (d < best.distance) best = {level.vertex, level.count, d};
-                return false;
-            });
+        best.distance = length_ / 2;
+        const double at = x * scale_;
+        const std::int64_t interval = whole_below(at);
+        const double behind = at - static_cast<double>(interval);
+        look(slot(axis, interval), x, best);
+        const bool low = behind < 0.5;
+        if (best.distance > (low ? behind : 1 - behind) * length_)
+            look(slot(axis, low ? interval - 1 : interval + 1), x, best);
         return best;
     }
     void insert(std::size_t axis, double x, Id vertex) {
-        Id& head = heads_[slot(axis, whole_below(x * scale_))];
-        const Id known = find(head, [&](const Level& level) { return level.x == x; });
-        if (known != kNone) {
-            ++levels_[known].count;
-            return;
+        const std::size_t slot_of_x = slot(axis, whole_below(x * scale_));
+        List& list = lists_[slot_of_x];
+        std::size_t place = 0;
+        while (place < kPlaces && list.level[place] != x) ++place;
+        if (place == kPlaces) {
+            place = 0;
+            for (std::size_t i = 1; i < kPlaces; ++i)
+                if (list.last[i] < list.last[place]) place = i;
+            list.level[place] = x;
+            list.vertex[place] = vertex;
+            list.count[place] = 0;
         }
-        if (levels_.size() == most_) return;
-        levels_.push_back({x, vertex, 1, head});
-        head = static_cast<Id>(levels_.size() - 1);
+        count(slot_of_x, place);
+    }
+    // One more vertex has a level.
+    void count(std::size_t slot, std::size_t place) {
+        List& list = lists_[slot];
+        ++list.count[place];
+        list.last[place] = ++list.turn;
     }
 
   private:
-    struct Level {
-        double x = 0;
-        Id vertex = 0;
-        std::uint32_t count = 0;
-        Id next = kNone;
+    static constexpr std::size_t kPlaces = 8;
+    struct List {
+        std::array<double, kPlaces> level = [] {
+            std::array<double, kPlaces> none;
+            none.fill(std::numeric_limits<double>::infinity());
+            return none;
+        }();
+        std::array<Id, kPlaces> vertex{};
+        std::array<std::uint32_t, kPlaces> count{}, last{};  // last: the turn when it was had
+        std::uint32_t turn = 0;
     };
 
-    // The place of the first of a list that `is` says yes to, or kNone.
-    template <class Is>
-    Id find(Id level, const Is& is) const {
-        for (int looks = 0; level != kNone && looks < 12; ++looks, level = levels_[level].next)
-            if (is(levels_[level])) return level;
-        return kNone;
+    void look(std::size_t slot, double x, Near& best) const {
+        const List& list = lists_[slot];
+        std::array<double, kPlaces> d;
+        for (std::size_t i = 0; i < kPlaces; ++i) d[i] = std::abs(list.level[i] - x);
+        double least = d[0];
+        for (std::size_t i = 1; i < kPlaces; ++i) least = d[i] < least ? d[i] : least;
+        if (!(least < best.distance)) return;
+        std::size_t place = 0;
+        while (d[place] != least) ++place;
+        best = {list.vertex[place], list.count[place], least, slot, place};
     }
     std::size_t slot(std::size_t axis, std::int64_t interval) const {
         const std::uint64_t hash = static_cast<std::uint64_t>(interval) * 0x9E3779B97F4A7C15u;
         return 3 * (static_cast<std::size_t>(hash >> 32) & mask_) + axis;
     }
 
-    double scale_, half_;
+    double scale_, length_;
     std::size_t mask_;
-    std::vector<Id> heads_;
-    std::vector<Level> levels_;
-    std::size_t most_;
+    std::vector<List> lists_;
 };
 
 }  // namespace ravel

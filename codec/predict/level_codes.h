@@ -45,8 +45,13 @@ class LevelCodes {
 
     // After each vertex.
     void insert(const Point3& value, Id vertex) {
-        for (std::size_t axis = 0; axis < 3 && known_; ++axis)
-            known_->insert(axis, value[axis], vertex);
+        for (std::size_t axis = 0; axis < 3 && known_; ++axis) {
+            if (is_known_[axis])
+                known_->count(near_[axis].list, near_[axis].place);
+            else
+                known_->insert(axis, value[axis], vertex);
+            is_known_[axis] = false;
+        }
     }
 
   private:
@@ -81,7 +86,8 @@ class LevelCodes {
     template <class Has>
     bool next_known(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
                     const Has& has) {
-        const KnownLevels::Near near = known_->nearest(axis, static_cast<double>(guess));
+        const KnownLevels::Near& near = near_[axis] =
+            known_->nearest(axis, static_cast<double>(guess));
         if (near.vertex == kNone) return false;
         vertex_ = near.vertex;
         const double level = values[vertex_][axis];
@@ -92,8 +98,9 @@ class LevelCodes {
         const auto often = static_cast<std::uint32_t>(std::bit_width(near.count)) - 1;
         bool& before = was_known_[axis];
         const std::uint32_t beside = 4 * before + std::min(votes, 3u);
-        return before = coder_.flag(ResidualContexts::known.at(far, often, beside, count_ > 4),
-                                    Coder::kWrites && has(level));
+        return is_known_[axis] = before =
+                   coder_.flag(ResidualContexts::known.at(far, often, beside, count_ > 4),
+                               Coder::kWrites && has(level));
     }
 
     Coder& coder_;
@@ -101,6 +108,8 @@ class LevelCodes {
     std::uint32_t configuration_ = 0;
     std::array<std::uint32_t, 3> history_{};  // the last two answers per axis
     std::array<bool, 3> was_known_{};         // the last answer
+    std::array<KnownLevels::Near, 3> near_{};
+    std::array<bool, 3> is_known_{};  // has the vertex the level of near_?
     std::array<Id, kStencil> id_{};
     std::size_t count_ = 0;
     Id vertex_ = kNone;

@@ -160,7 +160,7 @@ def make_file(seed, rides=False):
     p, positions_bytes = make_positions_head(head)
     edge_points = head.tets and coin(0.4)
     H = random.choice((64, 256) if edge_points else (16, 64, 256))
-    # known levels are as many as points, so those are decided on before the walk
+    # N and H depend on the points, so those are decided on before the walk
     points = H - random.choice((0, 0, 1, H // 3)) if p.level_bits else H
     block = SimpleNamespace(
         has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),

@@ -3,17 +3,22 @@
 import math
 
 from conventions import MASK64, NONE, scale, width
-from echoes import slots
 from guesses import NUMBER
 
-MOST_LOOKED_AT = 12
+PLACES = 8
 
 
 class Level:
-    def __init__(self, x, vertex):
-        self.x = x
-        self.vertex = vertex  # the first that had it
-        self.count = 1
+    x = math.inf
+    vertex = NONE  # by which it came into the list
+    count = 0
+    last = 0
+
+
+class List:
+    def __init__(self):
+        self.places = [Level() for _ in range(PLACES)]
+        self.turn = 0
 
 
 class KnownLevels:
@@ -22,38 +27,46 @@ class KnownLevels:
     def __init__(self, block, bits):
         self.side = scale(1.0, bits)
         self.inverse = scale(1.0, -bits)
-        self.H = slots(block)
-        self.places_left = block.vertices + block.unused_points  # of all axes together
+        self.N = 1 << (min(max((block.vertices + block.unused_points) // 16, 16), 1 << 20) - 1).bit_length()
         self.lists = [{}, {}, {}]
 
     def list(self, axis, interval):
-        slot = ((interval * 0x9E3779B97F4A7C15 & MASK64) >> 32) % self.H
-        return self.lists[axis].setdefault(slot, [])
-
-    def newest(self, axis, interval):
-        return self.list(axis, interval)[: -MOST_LOOKED_AT - 1 : -1]
+        slot = ((interval * 0x9E3779B97F4A7C15 & MASK64) >> 32) % self.N
+        return self.lists[axis].setdefault(slot, List())
 
     def nearest(self, axis, x):
         """1: the level, None if there is none, and d."""
         d = self.side * 0.5
         found = None
-        first = math.floor(x * self.inverse - 0.5)
-        for interval in (first, first + 1):
-            for level in self.newest(axis, interval):
-                if abs(level.x - x) < d:
-                    d = abs(level.x - x)
-                    found = level
+
+        def look(interval):
+            nonlocal d, found
+            level = min(self.list(axis, interval).places, key=lambda a: abs(a.x - x))
+            if abs(level.x - x) < d:
+                d = abs(level.x - x)
+                found = level
+
+        at = x * self.inverse
+        interval = math.floor(at)
+        behind = at - interval
+        look(interval)
+        if behind < 0.5:
+            if d > behind * self.side:
+                look(interval - 1)
+        elif d > (1 - behind) * self.side:
+            look(interval + 1)
         return found, d
 
     def enter(self, v, value):
         for axis, x in enumerate(value):
-            interval = math.floor(x * self.inverse)
-            level = next((a for a in self.newest(axis, interval) if a.x == x), None)
-            if level:
-                level.count += 1
-            elif self.places_left > 0:
-                self.places_left -= 1
-                self.list(axis, interval).append(Level(x, v))
+            of = self.list(axis, math.floor(x * self.inverse))
+            level = next((a for a in of.places if a.x == x), None)
+            if level is None:
+                level = min(of.places, key=lambda a: a.last)
+                level.x, level.vertex, level.count = x, v, 0
+            level.count += 1
+            of.turn += 1
+            level.last = of.turn
 
 
 class Levels:

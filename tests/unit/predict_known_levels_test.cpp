@@ -46,18 +46,19 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("there are no more levels than vertices, and lists are looked at to a bound") {
-    KnownLevels few(4, 2);
-    few.insert(0, 100, 0);
-    few.insert(1, 100, 0);
-    few.insert(2, 100, 0);  // a third is not taken
-    CHECK(few.nearest(0, 101).vertex == 0);
-    CHECK(few.nearest(1, 99).vertex == 0);
-    CHECK(few.nearest(2, 100).vertex == kNone);
-    few.insert(0, 100, 1);
-    CHECK(few.nearest(0, 100).count == 2);
+TEST_CASE("a list keeps the eight levels that were had last") {
+    KnownLevels known(5, 100);
+    for (Id v = 0; v < 8; ++v) known.insert(0, 2 * v, v);
+    known.insert(0, 0, 8);   // had again: the level of vertex 1 is the oldest now
+    known.insert(0, 20, 9);  // and goes
+    CHECK(known.nearest(0, 1).vertex == 0);
+    CHECK(known.nearest(0, 1).count == 2);
+    CHECK(known.nearest(0, 2).distance == 2);
+    CHECK(known.nearest(0, 20).vertex == 9);
+    CHECK(known.nearest(0, 4).vertex == 2);
+    CHECK(known.nearest(1, 4).vertex == kNone);
 
-    KnownLevels crowd(5, 100);
-    for (Id v = 0; v < 13; ++v) crowd.insert(0, v, v);
-    CHECK(crowd.nearest(0, 0).vertex == 1);  // the first is behind twelve others
+    const KnownLevels::Near near = known.nearest(0, 5);
+    known.count(near.list, near.place);
+    CHECK(known.nearest(0, 4).count == near.count + 1);
 }
