@@ -94,6 +94,14 @@ bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
     return 4 * near > asked;
 }
 
+// Were most vertices told by leaders? Then tets repeat, and so do the levels of their vertices.
+bool is_lattice(const WalkRecord& record) {
+    const auto led = std::count_if(
+        record.stencils.begin(), record.stencils.end(),
+        [](const Stencil& stencil) { return stencil.configuration == Configuration::led; });
+    return 2 * static_cast<std::size_t>(led) > record.stencils.size();
+}
+
 Bytes head_of(const PositionFormat& format) {
     ByteWriter out;
     unsigned fitted = 0;
@@ -216,7 +224,11 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     fit(plan.format.has_along);
 
     const CodedVertices all{plan, complex, record, unused, edges};
-    if (fast) return write_head_and_bits(all);
+    if (fast) {
+        plan.format.has_levels = is_lattice(record);
+        plan.format.level_bits = cube_bits_of(record, places);
+        return write_head_and_bits(all);
+    }
 
     // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes
     // the bytes fewer, of large meshes by a hundredth at least.

@@ -24,9 +24,10 @@ struct Cost {
     double connectivity = 0;  // bits per cell
 };
 
-Cost cost_of(const Mesh& mesh, std::optional<int> bits) {
+Cost cost_of(const Mesh& mesh, std::optional<int> bits, bool fast = false) {
     EncodeOptions options;
     options.position_bits = bits;
+    options.fast = fast;
     CHECK(test::trouble(mesh, options) == "");
     const Result<Encoded> packed = encode(mesh, options);
     REQUIRE(packed.ok());
@@ -40,12 +41,13 @@ Cost cost_of(const Mesh& mesh, std::optional<int> bits) {
 TEST_CASE("cubes that are cut alike cost next to nothing") {
     for (const char* recipe : {"tets:box=14", "tets:box=14,five", "tets:box=14,double,shuffle",
                                "tets:box=20x10x12,copies=3"})
-        for (const std::optional<int> bits : {std::optional<int>{}, std::optional<int>{14}}) {
-            INFO(recipe << ", " << bits.value_or(0) << " bits");
-            const Cost cost = cost_of(made(recipe), bits);
-            CHECK(cost.connectivity < 0.1);
-            CHECK(cost.bits_per_cell < 0.25);
-        }
+        for (const std::optional<int> bits : {std::optional<int>{}, std::optional<int>{14}})
+            for (const bool fast : {false, true}) {
+                INFO(recipe << ", " << bits.value_or(0) << " bits, fast " << fast);
+                const Cost cost = cost_of(made(recipe), bits, fast);
+                CHECK(cost.connectivity < 0.1);
+                CHECK(cost.bits_per_cell < 0.25);
+            }
 }
 
 TEST_CASE("cubes that are cut alike and bent cost less than others") {
