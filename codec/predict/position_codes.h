@@ -17,54 +17,12 @@
 #include "predict/grid.h"
 #include "predict/level_codes.h"
 #include "predict/numbers.h"
+#include "predict/position_format.h"
 #include "predict/predictor.h"
 #include "predict/residual_context.h"
 #include "predict/rest_codes.h"
 
 namespace ravel {
-
-struct PositionFormat {
-    NumberFormat numbers;
-    bool narrow = true;        // float32
-    bool has_escapes = false;  // some coordinates are told bit for bit
-    bool mirrored = false;     // tets, most of which are inside out
-    Weights weights = kDefaultWeights;
-    bool has_levels = false;   // coordinates that several neighbours share are asked for
-    int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0
-    bool has_along = false;    // tets: new vertices may go on with the border
-    bool has_follows = false;  // parts repeat: see follows.h
-    std::vector<Echo> echoes;  // at most kMostEchoes
-    int cube_bits = 0;         // of the cubes in which echoes are looked for
-    bool looks_far = false;    // a cube to every side, not half of one
-    // Lossless tets: integers that stand for the numbers where the walk asks for places.
-    bool has_stand_ins = false;
-    Point3 place_origin{};
-    double place_scale = 1;
-
-    bool grid() const { return numbers.base == NumberBase::grid; }
-};
-
-// What is to be coded of a vertex.
-using Position = std::array<Number, 3>;
-
-// The bits of an escaped coordinate.
-struct Escape {
-    std::uint64_t bits = 0;
-    Id vertex = 0;
-    std::uint32_t axis = 0;
-};
-
-// Where the walk takes a vertex to be: its coordinates in units, or the nearest of 2^20 + 1 steps
-// along each axis.
-inline Point3 place_of(const PositionFormat& format, const Point3& value) {
-    if (!format.has_stand_ins) return value;
-    Point3 place;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double scaled = (value[axis] - format.place_origin[axis]) * format.place_scale;
-        place[axis] = scaled > 0 ? std::floor(std::min(scaled, 0x1p20) + 0.5) : 0;
-    }
-    return place;
-}
 
 template <class Coder>
 class PositionCodes {
