@@ -12,9 +12,11 @@ namespace {
 
 constexpr double kBitsOfTen = 3.3219280948873623;
 // What a coordinate costs that does not fit, about; and at most one in so many may be such.
+// `told`: which part of all coordinates is told digit by digit; others are those of other points.
 struct Misfits {
     double bits;
     std::size_t fewest;
+    double told;
 };
 
 // The shortest decimal that reads as x: mantissa * 10^-places, without zeros at the end behind the
@@ -71,26 +73,20 @@ Binary binary_of(double x) {
 // How many of the sampled coordinates have each number of places and of digits.
 struct Counts {
     std::vector<std::size_t> by_places, by_digits, by_front;  // front: digits before the point
-    std::vector<double> largest;                              // by front
     std::size_t numbers = 0, misfits = 0;
-    double fronts = 0;
+    double fronts = 0;  // sum, of binary ones
 
-    explicit Counts(std::size_t most)
-        : by_places(most), by_digits(80), by_front(most), largest(most) {}
+    explicit Counts(std::size_t most) : by_places(most), by_digits(80), by_front(most) {}
 };
 
 constexpr int kMiddle = 1100;  // fronts and binary places may be negative
 
-struct Choice {
-    NumberFormat format;
-    double bits = 0;
-};
-
 // The number of places (digits) that costs least; coordinates with more of them are misfits, which
-// must be few. `least` is infinite where there is none.
+// must be few. A misfit costs its
+// whole part, too. `least` is infinite where there is none.
 template <class Cost>
 int cheapest(const std::vector<std::size_t>& counts, int low, int high, std::size_t misfits,
-             const Misfits& price, const Cost& bits_per_all, double& least) {
+             const Misfits& price, const Cost& bits_of, double& least) {
     std::size_t above = misfits;
     for (const std::size_t n : counts) above += n;
     const std::size_t all = above;
@@ -99,7 +95,8 @@ int cheapest(const std::vector<std::size_t>& counts, int low, int high, std::siz
     for (int k = 0; k <= high; ++k) {
         above -= counts[static_cast<std::size_t>(k)];
         if (k < low || above * price.fewest > all) continue;
-        const double bits = bits_per_all(k) + price.bits * static_cast<double>(above);
+        const double bits = bits_of(k) * price.told * static_cast<double>(all) +
+                            price.bits * static_cast<double>(above);
         if (bits < least) least = bits, best = k;
     }
     return best;
@@ -205,24 +202,28 @@ std::optional<Number> number_of(const NumberFormat& format, double x, Scalar sca
 NumberFormat choose_numbers(const Array& positions, bool behind) {
     constexpr std::size_t kMostSamples = 200000;
     const std::size_t values = positions.arity * positions.count();
-    const std::size_t stride = values / kMostSamples + 1;
+    // Whatever the order of the points, the same values are looked at.
+    const std::size_t one_in = values / kMostSamples + 1;
+    const auto is_sampled = [&](double x) {
+        return one_in == 1 ||
+               (std::bit_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u >> 32) % one_in == 0;
+    };
     const bool narrow = positions.scalar == Scalar::f32;
     const auto at = [&](std::size_t i) {
         return narrow ? static_cast<double>(positions.as<float>()[i]) : positions.as<double>()[i];
     };
     Counts decimal(2400), binary(2400);
-    for (std::size_t i = 0; i < values; i += stride) {
+    std::vector<double> sampled;
+    for (std::size_t i = 0; i < values; ++i) {
         const double x = at(i);
-        if (x == 0 || !std::isfinite(x)) continue;
+        if (x == 0 || !std::isfinite(x) || !is_sampled(x)) continue;
+        sampled.push_back(std::abs(x));
         const Decimal d = shortest_decimal(x, positions.scalar);
         ++decimal.numbers;
         if (d.fits && d.places <= kMostPlaces + 17) {
             ++decimal.by_places[static_cast<std::size_t>(d.places)];
             ++decimal.by_digits[static_cast<std::size_t>(d.digits)];
-            const auto front = static_cast<std::size_t>(d.digits - d.places + kMiddle);
-            ++decimal.by_front[front];
-            decimal.largest[front] = std::max(decimal.largest[front], std::abs(x));
-            decimal.fronts += d.digits - d.places;
+            ++decimal.by_front[static_cast<std::size_t>(d.digits - d.places + kMiddle)];
         } else {
             ++decimal.misfits;
         }
@@ -242,25 +243,33 @@ NumberFormat choose_numbers(const Array& positions, bool behind) {
     const bool minus_zero = best.has_minus_zero;
     if (binary.numbers == 0) return best;
     const auto n = static_cast<double>(binary.numbers);
+    std::sort(sampled.begin(), sampled.end());
+    const double told =
+        static_cast<double>(std::unique(sampled.begin(), sampled.end()) - sampled.begin()) / n;
     double least = INFINITY;
     const auto offer = [&](NumberBase base, int places, int digits, double bits) {
         if (bits < least && (behind || digits == 0))
             least = bits, best = {base, places, digits, minus_zero};
     };
     double bits = 0;
-    const Misfits price = behind ? Misfits{66, 8} : Misfits{100, 50};
+    const double front = binary.fronts / n;
+    const Misfits price = behind ? Misfits{narrow ? 42.0 : 74.0, 2, told} : Misfits{100, 50, 1};
+    const auto with_front = [&](double behind_point) {
+        return std::max(front + behind_point, 0.0);
+    };
     const int front10 = most_front(decimal), front2 = most_front(binary);
     const int places10 = cheapest(
         decimal.by_places, 0, std::min(kMostPlaces, 15 - std::max(front10, 0)), decimal.misfits,
-        price, [&](int k) { return n * k * kBitsOfTen; }, bits);
+        price, [&](int k) { return with_front(k * kBitsOfTen); }, bits);
     offer(NumberBase::decimal, places10, 0, bits);
     const int digits10 = cheapest(
-        decimal.by_digits, 1, 17, decimal.misfits, price,
-        [&](int s) { return (n * s - decimal.fronts) * kBitsOfTen; }, bits);
+        decimal.by_digits, 1, 17, decimal.misfits, price, [&](int s) { return s * kBitsOfTen; },
+        bits);
     // Of 16 and more digits the last ones may be behind the unit of the largest, too.
-    double largest = 0;
-    for (int f = 0; f <= front10 + kMiddle; ++f)
-        largest = std::max(largest, decimal.largest[static_cast<std::size_t>(f)]);
+    double largest = 0, above = 1;
+    for (int f = 0; f < front10; ++f) above *= 10;
+    for (std::size_t i = 0; i < values; ++i)
+        if (std::abs(at(i)) < above) largest = std::max(largest, std::abs(at(i)));
     int unit10 = digits10 - front10;
     while (unit10 > 0 && unit10 <= kMostPlaces &&
            largest * kTensAsDoubles[static_cast<std::size_t>(unit10)] >=
@@ -269,10 +278,10 @@ NumberFormat choose_numbers(const Array& positions, bool behind) {
     if (unit10 >= 0 && unit10 <= kMostPlaces) offer(NumberBase::decimal, unit10, digits10, bits);
     const int places2 = cheapest(
         binary.by_places, 0, 52 - front2 + kMiddle, 0, price,
-        [&](int k) { return n * (k - kMiddle); }, bits);
+        [&](int k) { return with_front(k - kMiddle); }, bits);
     offer(NumberBase::binary, places2 - kMiddle, 0, bits);
     const int digits2 = cheapest(
-        binary.by_digits, 1, 53, 0, price, [&](int s) { return n * s - binary.fronts; }, bits);
+        binary.by_digits, 1, 53, 0, price, [&](int s) { return s; }, bits);
     offer(NumberBase::binary, std::clamp(digits2 - front2, -kMiddle, kMiddle), digits2, bits);
     return best;
 }

@@ -10,8 +10,8 @@
 namespace ravel {
 
 // The format that takes fewest bits for these coordinates, judged by the size of its units; those
-// that do not fit it are left to be told bit for bit: one in eight at most. Without `behind`, a
-// format that has no digits behind its unit, and one misfit in fifty at most. Linear.
+// that do not fit it are left to be told bit for bit. Without `behind`, a format that has no digits
+// behind its unit, and about one misfit in fifty at most. Does not depend on their order. Linear.
 NumberFormat choose_numbers(const Array& positions, bool behind = true);
 
 // The number that decodes to exactly these bits, or none: not finite, or not of this format.

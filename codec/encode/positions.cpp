@@ -47,11 +47,12 @@ struct CountingCoder {
 };
 
 // Cubes of about the mean distance of a vertex to its first neighbour.
-int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places) {
+int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places,
+                 const std::vector<bool>& skip) {
     double length = 0, count = 0;
     for (std::size_t v = 0; v < record.stencils.size(); ++v) {
         const Stencil& s = record.stencils[v];
-        if (s.configuration == Configuration::seed) continue;
+        if (s.configuration == Configuration::seed || skip[v] || skip[s.at[0]]) continue;
         for (std::size_t axis = 0; axis < 3; ++axis)
             length += std::abs(places[v][axis] - places[s.at[0]][axis]);
         ++count;
@@ -206,12 +207,13 @@ double try_out(const CodedVertices& all) {
 Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
                       const std::vector<Index>& unused, const EdgePoints& edges, bool fast) {
     const std::size_t vertices = record.vertex_of.size();
-    std::vector<Point3> places(vertices), firm;  // firm: no copies
+    std::vector<Point3> places(vertices), firm;  // firm: no copies, none escaped
     std::vector<bool> skip(vertices, false);
     firm.reserve(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
         const std::size_t p = complex.point[record.vertex_of[v]];
-        skip[v] = record.copy_of[v] != kNone;
+        skip[v] = record.copy_of[v] != kNone || plan.values[p][0].escaped ||
+                  plan.values[p][1].escaped || plan.values[p][2].escaped;
         places[v] = units_of(plan, p);
         if (!skip[v]) firm.push_back(places[v]);
     }
@@ -226,7 +228,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     const CodedVertices all{plan, complex, record, unused, edges};
     if (fast) {
         plan.format.has_levels = is_lattice(record);
-        plan.format.level_bits = cube_bits_of(record, places);
+        plan.format.level_bits = cube_bits_of(record, places, skip);
         return write_head_and_bits(all);
     }
 
@@ -249,7 +251,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     };
     constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
     const Echoes echoes = find_echoes(firm, plan.format.numbers.digits == 0);
-    plan.format.cube_bits = kept.cube_bits = cube_bits_of(record, places);
+    plan.format.cube_bits = kept.cube_bits = cube_bits_of(record, places, skip);
     plan.format.echoes = echoes.likely;
     if (!echoes.likely.empty()) offer();
     if (!echoes.more.empty() && vertices < kLarge) {
@@ -266,7 +268,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         offer();
     }
     plan.format.has_levels = true;
-    plan.format.level_bits = cube_bits_of(record, places);
+    plan.format.level_bits = cube_bits_of(record, places, skip);
     offer();
     if (plan.format.level_bits > 0 && vertices < kLarge / 4) {
         ++plan.format.level_bits;

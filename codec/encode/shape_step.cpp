@@ -1,6 +1,7 @@
 #include "encode/shape_step.h"
 
 #include <algorithm>
+#include <compare>
 
 #include "walk/gate_shapes.h"
 #include "walk/tet_front.h"

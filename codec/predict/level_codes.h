@@ -32,7 +32,7 @@ class LevelCodes {
             if (stencil.at[i] != kNone) id_[count_++] = stencil.at[i];
     }
     // Has the vertex the known coordinate nearest to the guess, or the one that most of its
-    // neighbours share? `guess`: its whole part. `has(x)`: the writer's, has it this one?
+    // neighbours share? `guess`: its whole part. `has(v)`: the writer's, has it that of v?
     template <class Has>
     bool next(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
               const Has& has) {
@@ -79,7 +79,7 @@ class LevelCodes {
         const bool same =
             coder_.flag(ResidualContexts::level.at(configuration_, most, history_[axis],
                                                    guess == static_cast<std::int64_t>(level)),
-                        Coder::kWrites && has(level));
+                        Coder::kWrites && has(vertex_));
         history_[axis] = (history_[axis] << 1 | (same ? 1u : 0u)) & 3;
         return same;
     }
@@ -100,7 +100,7 @@ class LevelCodes {
         const std::uint32_t beside = 4 * before + std::min(votes, 3u);
         return is_known_[axis] = before =
                    coder_.flag(ResidualContexts::known.at(far, often, beside, count_ > 4),
-                               Coder::kWrites && has(level));
+                               Coder::kWrites && has(vertex_));
     }
 
     Coder& coder_;

@@ -101,8 +101,9 @@ class PositionCodes {
                     std::uint32_t& history = family == 0 ? same_ : follow_same_;
                     const auto& block =
                         family == 0 ? ResidualContexts::same : ResidualContexts::follow_same;
-                    same = coder_.flag(block.at(a, history),
-                                       Coder::kWrites && is(number, found.value[axis]));
+                    same = coder_.flag(
+                        block.at(a, history),
+                        Coder::kWrites && is(number, found.value[axis], found.exact[axis]));
                     history = (history << 1 | (same ? 1u : 0u)) & 3;
                 }
                 if (same) {
@@ -115,8 +116,9 @@ class PositionCodes {
                 }
             } else {
                 if (levels)
-                    same = levels_.next(values_, axis, whole[axis],
-                                        [&](double x) { return is(number, x); });
+                    same = levels_.next(values_, axis, whole[axis], [&](Id v) {
+                        return is(number, values_[v][axis], keeps_exact_ ? exact_[v][axis] : 0);
+                    });
                 if (same) {
                     value[axis] = values_[levels_.vertex()][axis];
                     if (keeps_exact_) exact[axis] = exact_[levels_.vertex()][axis];
@@ -320,10 +322,12 @@ class PositionCodes {
         if (o == 0) return echo.mirrored[axis] ? mirrored(w) : w;
         return echo.mirrored[axis] ? o - w : o + w;
     }
-    bool is(const Number& truth, double x) const {
+    // To the last bit; of long decimals several have the same units.
+    bool is(const Number& truth, double units, double exact) const {
         if (truth.escaped) return false;
-        const double want = scaled_of(format_.numbers, truth).units;
-        return x == want && std::signbit(x) == std::signbit(want);
+        const Scaled want = scaled_of(format_.numbers, truth);
+        return units == want.units && std::signbit(units) == std::signbit(want.units) &&
+               (!keeps_exact_ || exact == want.exact);
     }
 
     // The vertex as its leader stands among its neighbours.
