@@ -186,7 +186,7 @@ Bytes write_head_and_bits(const CodedVertices& all) {
 // About how many bytes that would make. Of large meshes a stretch of vertices in each three is
 // looked at, of very large ones only as far as kMost.
 double try_out(const CodedVertices& all) {
-    constexpr std::size_t kStretch = 256, kAll = 8192, kMost = 32768;
+    constexpr std::size_t kStretch = 256, kAll = 8192, kMost = 131072;
     const std::size_t size = std::min(all.size(), kMost);
     const bool whole = all.size() <= kAll;
     std::size_t count = 0;
