@@ -56,10 +56,10 @@ double gain_of(std::vector<Seen>& seen) {
 
 Index choose_shape_step(const Complex& complex, const std::vector<Point3>& places,
                         Index grid_side) {
-    constexpr double kWorth = 64;  // bits that it must save at those looked at; and some at each
+    constexpr double kWorth = 200;  // bits that it must save at those looked at
     const auto place = [&](Id v) -> const Point3& { return places[complex.point[v]]; };
     const std::vector<Id> facets = some_facets(complex, places);
-    double most = kWorth + static_cast<double>(facets.size()) / 50;
+    double most = kWorth;
     Index best = 0;
     std::vector<Seen> seen;
     for (const Index step : {grid_side / 2, Index{16}, Index{4}, Index{1}}) {
