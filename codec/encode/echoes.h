@@ -12,8 +12,7 @@ struct Echoes {
     std::vector<Echo> more;    // second planes, and steps along an axis
 };
 
-// `places` are coordinates in units; `may_move` false: mirrors
-// through zero alone. O(n log n).
+// `places` are coordinates in units; `may_move` false: mirrors through zero alone. O(n log n).
 Echoes find_echoes(const std::vector<Point3>& places, bool may_move);
 
 }  // namespace ravel

@@ -82,8 +82,7 @@ struct Counts {
 constexpr int kMiddle = 1100;  // fronts and binary places may be negative
 
 // The number of places (digits) that costs least; coordinates with more of them are misfits, which
-// must be few. A misfit costs its
-// whole part, too. `least` is infinite where there is none.
+// must be few and cost their whole parts, too. `least` is infinite where there is none.
 template <class Cost>
 int cheapest(const std::vector<std::size_t>& counts, int low, int high, std::size_t misfits,
              const Misfits& price, const Cost& bits_of, double& least) {

@@ -1,6 +1,6 @@
 // Codes of a number what is behind its whole part: digits behind the point, the sign of zero, or
-// all bits of a float that is no such number.
-// On either side: `Coder` writes or reads flags and plain bits.
+// all bits of a float that is no such number. On either side: `Coder` writes or reads flags and
+// plain bits.
 #pragma once
 
 #include <algorithm>

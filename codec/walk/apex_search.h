@@ -8,6 +8,7 @@
 
 #include "walk/apex_list.h"
 #include "walk/sphere_family.h"
+#include "walk/tet_front.h"
 #include "walk/vertex_grid.h"
 
 namespace ravel {
@@ -66,7 +67,7 @@ class ApexSearch {
         for (std::size_t i = 0; i < count; ++i) {
             const Near near = near_[i];
             near_[kept] = {near.height / (2 * near.above), near.above, near.vertex};
-            kept += near.vertex != gate[0] && near.vertex != gate[1] && near.vertex != gate[2];
+            kept += !is_in(gate, near.vertex);
         }
         return {near_.data(), kept};
     }

@@ -11,6 +11,7 @@
 
 #include "mesh/complex.h"
 #include "mesh/point3.h"
+#include "walk/tet_front.h"
 #include "walk/vertex_grid.h"
 
 namespace ravel {
@@ -102,8 +103,7 @@ inline Id nearest_on_front(const VertexGrid& grid, const std::array<Id, 3>& gate
     grid.around(there, reach, [&](Id v, const Point3& p) {
         const Point3 way = minus(p, there);
         const double d = dot(way, way);
-        if (v != gate[0] && v != gate[1] && v != gate[2] &&
-            (d < least || (d == least && best != kNone && v < best)))
+        if (!is_in(gate, v) && (d < least || (d == least && best != kNone && v < best)))
             least = d, best = v;
         return ++seen < kMostLooked;
     });

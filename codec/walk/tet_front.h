@@ -21,6 +21,10 @@ namespace ravel {
 inline constexpr std::array<std::array<Id, 3>, 4> kOutward{
     {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}}};
 
+inline bool is_in(const std::array<Id, 3>& triangle, Id v) {
+    return v == triangle[0] || v == triangle[1] || v == triangle[2];
+}
+
 class TetFront {
   public:
     struct Triangle {

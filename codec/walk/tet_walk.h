@@ -147,7 +147,7 @@ class TetWalk {
         if (kind == Apex::fresh) {
             if (!add_vertex(base + 3, stencil_at(t, vertex[gate], led))) return false;
         } else {
-            if (apex >= walked_.vertex_count || is_in(t, apex)) return false;
+            if (apex >= walked_.vertex_count || is_in(t.vertex, apex)) return false;
             vertex[base + 3] = apex;
         }
         if (shapes_) shapes_->learn(vertex[base + 3]);
@@ -198,9 +198,6 @@ class TetWalk {
         return led;
     }
 
-    static bool is_in(const TetFront::Triangle& t, Id v) {
-        return v == t.vertex[0] || v == t.vertex[1] || v == t.vertex[2];
-    }
     Id code_apex(const TetFront::Triangle& gate, Apex& kind) {
         const SphereFamily family(driver_.place(gate.vertex[0]), driver_.place(gate.vertex[1]),
                                   driver_.place(gate.vertex[2]), limits_.mirrored);
@@ -254,7 +251,7 @@ class TetWalk {
             const Id apex = front_.apex_across(gate, e);
             const bool beyond = front_.across(gate, e).border;
             borders += beyond;
-            if (open_count_[apex] == 0 || is_in(gate, apex)) continue;
+            if (open_count_[apex] == 0 || is_in(gate.vertex, apex)) continue;
             list_.change(apex, [&](ApexCandidate& candidate) {
                 if (candidate.times == 0 && !family.flat()) {
                     const SphereFamily::Lift lift = family.lift_of(driver_.place(apex));

@@ -139,10 +139,9 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                       ->check(CLI::Range(1, 22))
                       ->type_name("L")
                       ->group("Effort");
-    verb.add_flag(
-            "--fast", flags.fast,
-            "Faster to make and to decode: parts, mirrors and level faces are not looked for; "
-            "zstd's level 3")
+    verb.add_flag("--fast", flags.fast,
+                  "Faster to make and to decode: parts and mirrors are not looked for, level faces "
+                  "only where tets repeat; zstd's level 3")
         ->excludes(level)
         ->group("Effort");
 }
