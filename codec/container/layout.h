@@ -1,8 +1,7 @@
 // The container's constants, named as in spec/format.md.
 //
-//     magic, version, section `head`, then per block: section `block`, its data sections; byte 0
-//     ends the file section: id u8, (size << 1 | packed) varint, [raw size varint if packed],
-//     crc32c u32, bytes
+//     magic, version, sections, byte 0, checksum u32: crc32c of all before it
+//     section: id u8, (size << 1 | packed) varint, [raw size varint if packed], bytes
 //
 // Everything is read forward only; the size in front of each section lets a reader pass over it.
 #pragma once
@@ -15,7 +14,7 @@ namespace ravel {
 
 inline constexpr std::array<std::byte, 4> kMagic{std::byte{'R'}, std::byte{'a'}, std::byte{'v'},
                                                  std::byte{'1'}};
-inline constexpr std::uint8_t kVersion = 4;
+inline constexpr std::uint8_t kVersion = 5;
 
 enum class SectionId : std::uint8_t {
     end = 0,

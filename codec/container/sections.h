@@ -18,14 +18,16 @@ struct Section {
     std::uint64_t at = 0;  // offset of its bytes in the file
     bool packed = false;
     std::uint64_t raw_size = 0;
-    std::uint32_t checksum = 0;
     std::span<const std::byte> bytes;
 };
 
-// The next section's header and bytes. Unknown ids are corrupt.
+// The next section's header and bytes, whatever its id. Fails only where the bytes end.
 Result<Section> read_section(ByteReader& in);
 
-// Are the bytes those that were written?
-Status check_section(const Section& section);
+// After the last section.
+void write_end(ByteWriter& out);
+// All of a file up to the end of its last section, `at` bytes: does the checksum that follows say
+// it is what was written? Linear.
+Status check_end(std::span<const std::byte> file, std::uint64_t at);
 
 }  // namespace ravel

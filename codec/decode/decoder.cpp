@@ -43,9 +43,10 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     const BlockHead& b = file.block;
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
     // Of tets, 32 bytes are for a front that hostile vertices crowd (see TetFront).
-    const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 96 : 52) + (order ? 24 : 0);
+    const std::uint64_t per_corner =
+        (file.head.kind == CellKind::tet ? 100 : 52) + (order ? 24 : 0);
     const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 676 : 620, per_edges = b.has_edge_points ? 168 : 0;
+                        per_vertex = order ? 772 : 716, per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
 }

@@ -8,7 +8,6 @@
 namespace ravel {
 
 Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std::uint64_t growth) {
-    if (Status status = check_section(section); !status) return status.error();
     if (section.raw_size > budget / growth)
         return Error{
             Code::limit_exceeded, section.at,
@@ -21,6 +20,30 @@ Result<Bytes> unpack_section(const Section& section, std::uint64_t& budget, std:
     if (!section.packed) return Bytes(section.bytes.begin(), section.bytes.end());
     return unpack(section.bytes, section.raw_size, section.at);
 }
+
+namespace {
+
+Status read_heads(FileSections& file, std::uint64_t& budget) {
+    for (const SectionId id : {SectionId::head, SectionId::block}) {
+        const Section& section = file.sections[static_cast<std::size_t>(id)];
+        // Four bytes can ask for an attribute, which is as much here and later in the mesh.
+        Result<Bytes> raw = unpack_section(section, budget, 64);
+        if (!raw) return raw.error();
+        ByteReader fields(*raw, section.at);
+        if (id == SectionId::head) {
+            Result<Head> head = read_head(fields);
+            if (!head) return head.error();
+            file.head = std::move(*head);
+        } else {
+            Result<BlockHead> block = read_block_head(fields, file.head.kind);
+            if (!block) return block.error();
+            file.block = *block;
+        }
+    }
+    return Done{};
+}
+
+}  // namespace
 
 Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& budget) {
     if (bytes.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin()))
@@ -38,43 +61,34 @@ Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& 
     FileSections file;
     file.header_bytes = bytes.size();
     std::uint8_t last = 0;
+    Status placed = Done{};
     for (;;) {
+        const std::uint64_t start = in.at();
         Result<Section> section = read_section(in);
         if (!section) return section.error();
         if (section->id == SectionId::end) break;
         const auto id = static_cast<std::uint8_t>(section->id);
-        if (id <= last)
-            return Error{
-                Code::corrupt, section->at,
-                std::string("section \"") + name_of(section->id) + "\" is out of its place"};
+        if (placed && id > kLastSection)
+            placed = Error{
+                Code::corrupt, start,
+                std::string("section ") + std::to_string(id) + " is not known to this version"};
+        else if (placed && id <= last)
+            placed =
+                Error{Code::corrupt, start,
+                      std::string("section \"") + name_of(section->id) + "\" is out of its place"};
+        if (!placed) continue;
         last = id;
-        if (section->id == SectionId::head || section->id == SectionId::block) {
-            // Four bytes can ask for an attribute, which is as much here and later in the mesh.
-            Result<Bytes> raw = unpack_section(*section, budget, 64);
-            if (!raw) return raw.error();
-            ByteReader fields(*raw, section->at);
-            if (section->id == SectionId::head) {
-                Result<Head> head = read_head(fields);
-                if (!head) return head.error();
-                file.head = std::move(*head);
-            } else {
-                Result<BlockHead> block = read_block_head(fields, file.head.kind);
-                if (!block) return block.error();
-                file.block = *block;
-            }
-        } else {
-            file.header_bytes -= section->bytes.size();
-        }
         file.sections[id] = *section;
+        if (section->id > SectionId::block) file.header_bytes -= section->bytes.size();
     }
-    if (in.left() != 0)
-        return Error{Code::corrupt, in.at(),
-                     std::to_string(in.left()) + " bytes follow the end of the file"};
+    if (Status status = check_end(bytes, in.at()); !status) return status.error();
+    if (!placed) return placed.error();
     for (const SectionId id :
          {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
         if (file.sections[static_cast<std::size_t>(id)].id == SectionId::end)
             return Error{Code::corrupt, bytes.size(),
                          std::string("section \"") + name_of(id) + "\" is missing"};
+    if (Status status = read_heads(file, budget); !status) return status.error();
     const bool has_order =
         file.sections[static_cast<std::size_t>(SectionId::order)].id != SectionId::end;
     if (has_order != file.head.keeps_order)

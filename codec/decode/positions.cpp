@@ -45,8 +45,11 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
         }
     }
     if (format.has_levels) {
-        format.level_bits = in.u8();
-        sane = sane && format.level_bits <= kMostLevelBits;
+        const std::uint8_t look = in.u8();
+        format.level_bits = look & 127;
+        format.has_pairs = (look & 128) != 0;
+        sane = sane && format.level_bits <= kMostLevelBits &&
+               (format.level_bits > 0 || !format.has_pairs);
     }
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "encode/shape_step.h"
+#include "entropy/priors.h"
+#include "walk/priors.h"
 
 namespace ravel {
 namespace {
@@ -64,6 +66,12 @@ void choose_grid(const Complex& complex, const std::vector<Point3>& places, Bloc
 
 }  // namespace
 
+std::vector<FlagModel> walk_models(CellKind kind) {
+    return kind == CellKind::tet
+               ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
+               : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen);
+}
+
 CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions) {
     CoursePlan plan;
     WalkLimits& limits = plan.limits = limits_of(complex);
@@ -88,11 +96,11 @@ CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& p
     plan.walk.places = plan_places(mesh, positions);
     if (mesh.kind != CellKind::tet) return plan;
     choose_grid(complex, plan.walk.places, block);
-    block.shape_step = choose_shape_step(complex, plan.walk.places, block.grid_side);
-    limits.shape_step = static_cast<double>(block.shape_step);
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.mirrored = positions.format.mirrored = block.mirrored;
+    block.shape_step = choose_shape_step(complex, plan);
+    limits.shape_step = static_cast<double>(block.shape_step);
     return plan;
 }
 

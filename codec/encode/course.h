@@ -18,6 +18,9 @@ struct CoursePlan {
 // Completes the format of `positions` by what the walk asks of it. Linear.
 CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions);
 
+// As the walk's models begin.
+std::vector<FlagModel> walk_models(CellKind kind);
+
 struct Course {
     WalkRecord record;
     Walked walked;

@@ -15,9 +15,7 @@
 #include "encode/positions.h"
 #include "encode/strip_mesh.h"
 #include "entropy/pack.h"
-#include "entropy/priors.h"
 #include "ravel/ravel.h"
-#include "walk/priors.h"
 #include "walk/read_strip.h"
 
 namespace ravel {
@@ -59,12 +57,6 @@ void round_to_float32(Array& positions) {
 // otherwise: what the paper's strips add.
 double budget_of(const Complex& complex, const EncodeOptions& options) {
     return options.strip_budget.value_or(complex.kind == CellKind::tet ? 12 : 2.5);
-}
-
-std::vector<FlagModel> walk_models(CellKind kind) {
-    return kind == CellKind::tet
-               ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
-               : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen);
 }
 
 Head head_of(const Mesh& mesh, const PositionPlan& plan, const std::vector<AttributeGrid>& grids,
@@ -154,7 +146,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     if (options.keep_order)
         section(SectionId::order,
                 write_order(on_strip.ground(course.walked), companions.turned, order));
-    out.u8(static_cast<std::uint8_t>(SectionId::end));
+    write_end(out);
     encoded.bytes = out.take();
     return encoded;
 }

@@ -127,7 +127,8 @@ Bytes head_of(const PositionFormat& format) {
             for (const std::int64_t offset : echo.offset) out.varint(zigzag(offset));
         }
     }
-    if (format.has_levels) out.u8(static_cast<std::uint8_t>(format.level_bits));
+    if (format.has_levels)
+        out.u8(static_cast<std::uint8_t>(format.level_bits | (format.has_pairs ? 128 : 0)));
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
@@ -221,6 +222,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         plan.format.weights =
             fit_weights(record.stencils, places, skip, plan.format.mirrored, along);
     };
+    plan.format.cube_bits = cube_bits_of(record, places, skip);
     const bool may_go_along = goes_along(record, places);
     plan.format.has_along = fast && may_go_along;
     fit(plan.format.has_along);
@@ -228,30 +230,34 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
     const CodedVertices all{plan, complex, record, unused, edges};
     if (fast) {
         plan.format.has_levels = is_lattice(record);
-        plan.format.level_bits = cube_bits_of(record, places, skip);
+        plan.format.level_bits = plan.format.cube_bits;
         return write_head_and_bits(all);
     }
 
     // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes
     // the bytes fewer, of large meshes by a hundredth at least.
     constexpr std::size_t kSmall = 6000;
+    constexpr double kSlow = 0.02;      // of what costs more time
+    constexpr double kHopeless = 1.02;  // where levels make more, pairs are no help either
     PositionFormat kept = plan.format;
     double best = -1;  // not known yet
-    const auto offer = [&] {
+    // Returns how many times as many bytes it makes.
+    const auto offer = [&](double worth = 0.01) {
         if (best < 0) {
             std::swap(kept, plan.format);
             best = try_out(all);
             std::swap(kept, plan.format);
         }
         const double bytes = try_out(all);
-        if (bytes + (vertices < kSmall ? 0 : best / 100) < best)
+        const double ratio = bytes / best;
+        if (ratio < (vertices < kSmall ? 1 : 1 - worth))
             best = bytes, kept = plan.format;
         else
             plan.format = kept;
+        return ratio;
     };
     constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
     const Echoes echoes = find_echoes(firm, plan.format.numbers.digits == 0);
-    plan.format.cube_bits = kept.cube_bits = cube_bits_of(record, places, skip);
     plan.format.echoes = echoes.likely;
     if (!echoes.likely.empty()) offer();
     if (!echoes.more.empty() && vertices < kLarge) {
@@ -268,11 +274,17 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         offer();
     }
     plan.format.has_levels = true;
-    plan.format.level_bits = cube_bits_of(record, places, skip);
-    offer();
+    plan.format.level_bits = plan.format.cube_bits;
+    const bool may_have_pairs = offer() < kHopeless;
     if (plan.format.level_bits > 0 && vertices < kLarge / 4) {
         ++plan.format.level_bits;
         offer();
+    }
+    // Pairs may be known where single levels tell nothing.
+    if (may_have_pairs) {
+        if (kept.level_bits == 0) plan.format.level_bits = plan.format.cube_bits;
+        plan.format.has_levels = plan.format.has_pairs = true;
+        offer(kSlow);
     }
     // What was taken first may be no help beside it.
     if (kept.level_bits > 0 && !kept.echoes.empty()) {

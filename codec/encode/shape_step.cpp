@@ -1,8 +1,12 @@
 #include "encode/shape_step.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <compare>
 
+#include "encode/fit.h"
+#include "predict/border_plane.h"
 #include "walk/gate_shapes.h"
 #include "walk/tet_front.h"
 
@@ -30,13 +34,12 @@ struct Seen {
     auto operator<=>(const Seen&) const = default;
 };
 
-// What leaders would save less what the flags would cost, in bits. A tet that is not told by a
-// leader takes about one. Of a shape's n facets, in random order, the sum of squares of how many
-// have their apex at one place, divided by n, are led right.
-double gain_of(std::vector<Seen>& seen) {
-    constexpr double kSaved = 0.8, kMiss = 3;
+// The share of facets whose apex lies as that of another of their shape, which was picked at
+// random: of a shape's n facets, the sum of squares of how many have their apex at one place,
+// divided by n.
+double led_share(std::vector<Seen>& seen) {
     std::sort(seen.begin(), seen.end());
-    double gain = 0;
+    double led = 0;
     for (std::size_t i = 0; i < seen.size();) {
         const std::size_t first = i;
         double squares = 0;
@@ -45,39 +48,87 @@ double gain_of(std::vector<Seen>& seen) {
             while (i < seen.size() && seen[i] == seen[begin]) ++i;
             squares += static_cast<double>(i - begin) * static_cast<double>(i - begin);
         }
-        const auto n = static_cast<double>(i - first);
-        const double led = squares / n - 1;
-        gain += kSaved * led - kMiss * std::min(led, n - 1 - led);
+        led += squares / static_cast<double>(i - first) - 1;
     }
-    return gain;
+    return seen.empty() ? 0 : led / static_cast<double>(seen.size());
 }
 
-}  // namespace
-
-Index choose_shape_step(const Complex& complex, const std::vector<Point3>& places,
-                        Index grid_side) {
-    constexpr double kWorth = 200;  // bits that it must save at those looked at
+// Steps that are worth a trial, none where hardly anything repeats. Lattices that are bent need
+// large ones; what repeats exactly, and is no lattice, small ones.
+std::vector<Index> likely_steps(const Complex& complex, const std::vector<Point3>& places,
+                                Index grid_side) {
+    constexpr double kSome = 0.05, kMany = 0.2;
     const auto place = [&](Id v) -> const Point3& { return places[complex.point[v]]; };
     const std::vector<Id> facets = some_facets(complex, places);
-    double most = kWorth;
-    Index best = 0;
     std::vector<Seen> seen;
-    for (const Index step : {grid_side / 2, Index{16}, Index{4}, Index{1}}) {
-        if (step == 0 || step > grid_side) continue;
+    const auto share_with = [&](Index step) {
         seen.clear();
         for (const Id f : facets) {
             const Id base = f & ~Id{3};
             const auto& triple = kOutward[f & 3];
-            const GateShape gate =
-                shape_of({complex.vertex[base + triple[0]], complex.vertex[base + triple[1]],
-                          complex.vertex[base + triple[2]]},
-                         complex.vertex[f], 1 / static_cast<double>(step), place);
-            const Point3 way = minus(place(complex.vertex[complex.twin[f]]), place(gate.corner));
+            const std::array<Id, 3> gate{complex.vertex[base + triple[0]],
+                                         complex.vertex[base + triple[1]],
+                                         complex.vertex[base + triple[2]]};
+            const GateShape found =
+                shape_of(gate, complex.vertex[f], 1 / static_cast<double>(step), place);
+            const Point3 way =
+                minus(place(complex.vertex[complex.twin[f]]), place(gate[found.first]));
             seen.push_back(
-                {gate.shape, hash_of(way, 1 / static_cast<double>(grid_side), gate.shape)});
+                {found.shape, hash_of(way, 1 / static_cast<double>(grid_side), found.shape)});
         }
-        const double gain = gain_of(seen);
-        if (gain > most) most = gain, best = step;
+        return led_share(seen);
+    };
+    if (share_with(std::max<Index>(grid_side / 2, 1)) < kSome) return {};
+    std::vector<Index> steps{grid_side};
+    double most = kMany;
+    Index small = 0;
+    for (const Index step : {Index{16}, Index{4}, Index{1}}) {
+        if (step >= grid_side) continue;
+        const double share = share_with(step);
+        if (share > most) most = share, small = step;
+    }
+    if (small > 0) steps.push_back(small);
+    return steps;
+}
+
+// About what the first cells of the walk and the positions of their vertices take, in bits.
+double bits_with(const Complex& complex, CoursePlan plan, Index step) {
+    constexpr Id kCells = 16384;
+    plan.limits.shape_step = static_cast<double>(step);
+    plan.limits.cells = std::min(plan.limits.cells, kCells);
+    WalkCodes codes{{}, walk_models(complex.kind)};
+    const WalkRecord record = run_course(complex, plan, codes).record;
+    std::vector<Point3> values;
+    std::vector<bool> skip;
+    for (std::size_t v = 0; v < record.vertex_of.size(); ++v) {
+        values.push_back(plan.walk.places[complex.point[record.vertex_of[v]]]);
+        skip.push_back(record.copy_of[v] != kNone);
+    }
+    Predictor predictor(fit_weights(record.stencils, values, skip, plan.limits.mirrored, true),
+                        plan.limits.mirrored);
+    double bits = codes.out.ideal_bits();
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        if (skip[v]) continue;
+        const Stencil stencil = stencil_along(record.stencils[v], values, values[v]);
+        const Point3 off = minus(values[v], predictor.guess(stencil, values));
+        for (const double x : off)
+            bits += static_cast<double>(
+                std::bit_width(static_cast<std::uint64_t>(std::min(std::abs(x) + 0.5, 0x1p60))));
+    }
+    return bits;
+}
+
+}  // namespace
+
+Index choose_shape_step(const Complex& complex, const CoursePlan& plan) {
+    constexpr double kWorth = 0.99;  // of the bits without
+    const std::vector<Index> steps = likely_steps(complex, plan.walk.places, plan.block.grid_side);
+    if (steps.empty()) return 0;
+    double least = kWorth * bits_with(complex, plan, 0);
+    Index best = 0;
+    for (const Index step : steps) {
+        const double bits = bits_with(complex, plan, step);
+        if (bits < least) least = bits, best = step;
     }
     return best;
 }

@@ -1,17 +1,14 @@
 // How finely the walk tells shapes of gates apart, where tets repeat.
 #pragma once
 
-#include <vector>
-
-#include "mesh/complex.h"
-#include "mesh/point3.h"
+#include "encode/course.h"
 
 namespace ravel {
 
-// The step of GateShapes under which facets of one shape most often have their apexes at one place;
-// 0 where that would not pay. `places` are of points; `grid_side` is that of the walk's grid. Does
-// not depend on the order of cells and points, nor, where places differ, of corners. Linear, but of most facets of a large mesh
-// only a vertex is looked at.
-Index choose_shape_step(const Complex& complex, const std::vector<Point3>& places, Index grid_side);
+// The `shape_step` with which a stretch of the walk takes fewest bits, positions included; 0 where
+// leaders do not pay. `plan` but for the step. Few tets repeat in most meshes, and a count of
+// facets, which depends on no order, tells these. Linear, but of most facets of a large mesh only a
+// vertex is looked at, and the trials, at most three, have a bounded number of cells.
+Index choose_shape_step(const Complex& complex, const CoursePlan& plan);
 
 }  // namespace ravel

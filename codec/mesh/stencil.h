@@ -24,12 +24,12 @@ enum class Configuration : std::uint8_t {
     tet,      // [x0 x1 x2 o y0 y1 y2]: gate, the apex behind it, the apexes across its edges
     border,   // [a b y z]: a tet's that goes on with the border beyond edge a b, y being the apex
               // of the triangle there, z the gate's vertex opposite
-    led,      // a tet's that lies as the apex of a leader does: those of tet, then [c l m]: the
-              // gate's first corner, that of the leader's gate, the leader's apex
+    led,      // a tet's that lies as the apex of a leader does: those of tet, then
+              // [l0 l1 l2 q m]: the leader's gate, the apex behind it and that beyond it
     edge,     // [a b, then the points of edges before, latest first]: own point of edge a b
     count,
 };
-inline constexpr std::size_t kStencilSize = 11;
+inline constexpr std::size_t kStencilSize = 12;
 struct Stencil {
     Configuration configuration = Configuration::seed;
     std::uint8_t borders = 0;  // tet: bit e if there is a border across edge e, opposite x_e

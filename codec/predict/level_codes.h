@@ -12,6 +12,7 @@
 #include "mesh/point3.h"
 #include "mesh/stencil.h"
 #include "predict/known_levels.h"
+#include "predict/level_pairs.h"
 #include "predict/residual_context.h"
 
 namespace ravel {
@@ -19,9 +20,11 @@ namespace ravel {
 template <class Coder>
 class LevelCodes {
   public:
-    // `bits`: of the intervals in which known levels are looked for; 0: they are not.
-    LevelCodes(Coder& coder, int bits, std::size_t vertices) : coder_(coder) {
+    // `bits`: of the intervals in which known levels are looked for; 0: they are not. `pairs`: also
+    // those beside the coordinate on the axis before.
+    LevelCodes(Coder& coder, int bits, bool pairs, std::size_t vertices) : coder_(coder) {
         if (bits > 0) known_.emplace(bits, vertices);
+        if (bits > 0 && pairs) pairs_.emplace(bits, vertices);
     }
 
     // Before the axes of a vertex: who its neighbours are.
@@ -32,12 +35,15 @@ class LevelCodes {
             if (stencil.at[i] != kNone) id_[count_++] = stencil.at[i];
     }
     // Has the vertex the known coordinate nearest to the guess, or the one that most of its
-    // neighbours share? `guess`: its whole part. `has(v)`: the writer's, has it that of v?
+    // neighbours share? `guess`: its whole part; `before`: its coordinate on the axis before, if
+    // that has been coded. `has(v)`: the writer's, has it that of v?
     template <class Has>
     bool next(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
-              const Has& has) {
+              const double* before, const Has& has) {
         vertex_ = kNone;
-        return (known_ && next_known(values, axis, guess, has)) ||
+        refused_.fill(std::numeric_limits<double>::quiet_NaN());
+        return (pairs_ && before != nullptr && next_pair(values, axis, guess, *before, has)) ||
+               (known_ && next_known(values, axis, guess, has)) ||
                next_shared(values, axis, guess, has);
     }
     // Whose coordinate that was.
@@ -52,12 +58,14 @@ class LevelCodes {
                 known_->insert(axis, value[axis], vertex);
             is_known_[axis] = false;
         }
+        for (std::size_t axis = 1; axis < 3 && pairs_; ++axis)
+            pairs_->insert(axis, value[axis - 1], value[axis], vertex);
     }
 
   private:
     static constexpr std::size_t kStencil = 7;  // entries that are looked at
 
-    // Not asked where no two share one, or it is the known one that was just refused.
+    // Not asked where no two share one, or it is one that was just refused.
     template <class Has>
     bool next_shared(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
                      const Has& has) {
@@ -74,7 +82,7 @@ class LevelCodes {
         const auto most = static_cast<std::uint32_t>(votes[best]);
         if (most < 2) return false;
         const double level = x[best];
-        if (vertex_ != kNone && values[vertex_][axis] == level) return false;
+        if (level == refused_[0] || level == refused_[1]) return false;
         vertex_ = id_[best];
         const bool same =
             coder_.flag(ResidualContexts::level.at(configuration_, most, history_[axis],
@@ -89,25 +97,47 @@ class LevelCodes {
         const KnownLevels::Near& near = near_[axis] =
             known_->nearest(axis, static_cast<double>(guess));
         if (near.vertex == kNone) return false;
+        const double level = refused_[1] = values[near.vertex][axis];
+        if (level == refused_[0]) return false;
         vertex_ = near.vertex;
-        const double level = values[vertex_][axis];
-        std::uint32_t votes = 0;
-        for (std::size_t i = 0; i < count_; ++i) votes += values[id_[i]][axis] == level;
-        const auto far =
-            static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(near.distance)));
         const auto often = static_cast<std::uint32_t>(std::bit_width(near.count)) - 1;
         bool& before = was_known_[axis];
-        const std::uint32_t beside = 4 * before + std::min(votes, 3u);
-        return is_known_[axis] = before =
-                   coder_.flag(ResidualContexts::known.at(far, often, beside, count_ > 4),
-                               Coder::kWrites && has(vertex_));
+        const std::uint32_t beside = 4 * before + std::min(votes_for(values, axis, level), 3u);
+        return is_known_[axis] = before = coder_.flag(
+                   ResidualContexts::known.at(width_of(near.distance), often, beside, count_ > 4),
+                   Coder::kWrites && has(vertex_));
+    }
+    template <class Has>
+    bool next_pair(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
+                   double other, const Has& has) {
+        const LevelPairs::Near near = pairs_->nearest(axis, other, static_cast<double>(guess));
+        if (near.vertex == kNone) return false;
+        vertex_ = near.vertex;
+        const double level = refused_[0] = values[vertex_][axis];
+        bool& before = was_paired_[axis];
+        const std::uint32_t beside = 4 * before + std::min(votes_for(values, axis, level), 3u);
+        return before = coder_.flag(
+                   ResidualContexts::pair.at(width_of(near.distance), std::min(near.place, 3u),
+                                             beside, count_ > 4),
+                   Coder::kWrites && has(vertex_));
+    }
+    std::uint32_t votes_for(const std::vector<Point3>& values, std::size_t axis,
+                            double level) const {
+        std::uint32_t votes = 0;
+        for (std::size_t i = 0; i < count_; ++i) votes += values[id_[i]][axis] == level;
+        return votes;
+    }
+    static std::uint32_t width_of(double distance) {
+        return static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(distance)));
     }
 
     Coder& coder_;
     std::optional<KnownLevels> known_;
+    std::optional<LevelPairs> pairs_;
     std::uint32_t configuration_ = 0;
-    std::array<std::uint32_t, 3> history_{};  // the last two answers per axis
-    std::array<bool, 3> was_known_{};         // the last answer
+    std::array<std::uint32_t, 3> history_{};          // the last two answers per axis
+    std::array<bool, 3> was_known_{}, was_paired_{};  // the last answers
+    std::array<double, 2> refused_{};  // of pairs, and known: found, but not the vertex's, or NaN
     std::array<KnownLevels::Near, 3> near_{};
     std::array<bool, 3> is_known_{};  // has the vertex the level of near_?
     std::array<Id, kStencil> id_{};

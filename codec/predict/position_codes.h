@@ -32,7 +32,7 @@ class PositionCodes {
         : coder_(coder),
           format_(format),
           predictor_(format.weights, format.mirrored),
-          levels_(coder, format.has_levels ? format.level_bits : 0, vertices),
+          levels_(coder, format.has_levels ? format.level_bits : 0, format.has_pairs, vertices),
           rest_(coder, format.numbers,
                 !format.has_escapes ? 0
                 : format.narrow     ? 32
@@ -91,6 +91,9 @@ class PositionCodes {
         for (std::size_t step = 0; step < 3 && sane; ++step) {
             const std::size_t axis = along ? plane_.axes()[step] : step;
             const bool carried = along && step == 2;
+            // The axis before, but where it comes last.
+            const double* const before =
+                axis == 0 || (along && plane_.axes()[2] == axis - 1) ? nullptr : &value[axis - 1];
             if (carried) whole[axis] = whole_of(clamped(plane_.carried(g, value)));
             Number number = truth[axis];
             std::uint64_t size = 0;
@@ -116,7 +119,7 @@ class PositionCodes {
                 }
             } else {
                 if (levels)
-                    same = levels_.next(values_, axis, whole[axis], [&](Id v) {
+                    same = levels_.next(values_, axis, whole[axis], before, [&](Id v) {
                         return is(number, values_[v][axis], keeps_exact_ ? exact_[v][axis] : 0);
                     });
                 if (same) {

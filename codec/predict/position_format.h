@@ -23,6 +23,7 @@ struct PositionFormat {
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
     int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0
+    bool has_pairs = false;    // and those that go with the coordinate before; needs level_bits
     bool has_along = false;    // tets: new vertices may go on with the border
     bool has_follows = false;  // parts repeat: see follows.h
     std::vector<Echo> echoes;  // at most kMostEchoes

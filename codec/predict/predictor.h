@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/carry.h"
 #include "mesh/point3.h"
 #include "mesh/stencil.h"
 
@@ -157,6 +158,10 @@ inline void border_features(const std::array<Point3, kStencilSize>& p, Features&
     f.feature[4] = minus(p[3], f.base);
 }
 
+inline Point3 guess_by_leader(const std::array<Point3, kStencilSize>& p) {
+    return carried(p[11], {p[7], p[8], p[9], p[10]}, {p[0], p[1], p[2], p[3]});
+}
+
 // Of tet and border.
 inline Features features_of_shape(const Stencil& stencil, const std::vector<Point3>& values,
                                   bool mirrored) {
@@ -201,8 +206,7 @@ class Predictor {
             stencil.configuration == Configuration::border)
             return guess_by_features(stencil, values);
         if (stencil.configuration == Configuration::led)
-            return detail::plus(values[stencil.at[7]],
-                                minus(values[stencil.at[9]], values[stencil.at[8]]));
+            return detail::guess_by_leader(detail::points_of(stencil, values));
         if (stencil.configuration == Configuration::edge)
             return detail::times(detail::plus(values[stencil.at[0]], values[stencil.at[1]]), 0.5);
         Factors& factors =

@@ -38,7 +38,8 @@ struct ResidualContexts {
     static constexpr ContextBlock follow_same{follow.end(), 3, 4};
     static constexpr ContextBlock along{follow_same.end(), 3, 16};
     static constexpr ContextBlock known{along.end(), 10, 4, 8, 2};
-    static constexpr Context count = known.end();
+    static constexpr ContextBlock pair{known.end(), 10, 4, 8, 2};
+    static constexpr Context count = pair.end();
 };
 
 // What a residual is expected to be like.

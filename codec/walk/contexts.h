@@ -41,8 +41,8 @@ inline constexpr ContextBlock kBorder{kGlue.end(), 7, 4, 3,
 inline constexpr ContextBlock kFlip{kBorder.end(), 2};
 inline constexpr ContextBlock kCopy{kFlip.end(), 2};
 inline constexpr ContextBlock kCopyOf{kCopy.end(), kNumberSteps};
-inline constexpr ContextBlock kLed{kCopyOf.end(), 8, 4,
-                                   2};  // the leader's misses, those of all; is it a new vertex?
+inline constexpr ContextBlock kLed{kCopyOf.end(), 16, 4, 2,
+                                   4};  // the leader's misses, those of all; new? mismatch
 inline constexpr Context kContexts = kLed.end();
 }  // namespace tet
 

@@ -27,63 +27,63 @@ inline std::uint64_t hash_of(const Point3& p, double scale, std::uint64_t hash) 
 }
 
 struct GateShape {
-    Id corner = kNone;  // the first by its place; the others follow as the gate runs
+    std::size_t first = 0;  // the first corner by its place; the others follow as the gate runs
     std::uint64_t shape = 0;
 };
 // A gate has the shape of its edges from the first corner, and of the way from there to the apex
 // behind it. `place(v)`: where a vertex is, whole numbers below 2^60.
 template <class Place>
 GateShape shape_of(const std::array<Id, 3>& gate, Id behind, double scale, const Place& place) {
-    std::size_t first = 0;
+    GateShape found;
     for (std::size_t i = 1; i < 3; ++i)
-        if (place(gate[i]) < place(gate[first])) first = i;
-    GateShape found{gate[first], 0};
-    const Point3& foot = place(found.corner);
-    for (const Id v : {gate[(first + 1) % 3], gate[(first + 2) % 3], behind})
+        if (place(gate[i]) < place(gate[found.first])) found.first = i;
+    const Point3& foot = place(gate[found.first]);
+    for (const Id v : {gate[(found.first + 1) % 3], gate[(found.first + 2) % 3], behind})
         found.shape = hash_of(minus(place(v), foot), scale, found.shape);
     return found;
 }
 
-// The last gate of a shape: its first corner, and the apex beyond it. Vertices, or kNone.
+// A gate that another is likened to: its facet, the corner of the cell before it that is opposite;
+// and the other corners of that cell in the order of those of the gate that it leads.
 struct Leader {
-    Id corner = kNone, apex = kNone;
-    std::uint32_t missed = 0;  // bit k: k gates of this shape ago it led astray
-    std::uint64_t shape = 0;
+    Id facet = kNone;
+    std::array<Id, 3> corner{};
 };
 
-// A hash of leaders by shape; a shape that is met again after another took its place has none.
+// The last gate of each shape. A hash: a shape that is met again after another took its place has
+// none.
 class GateShapes {
   public:
     // Lengths are told apart in multiples of `step`.
     GateShapes(double step, std::size_t vertices)
         : scale_(1 / step),
-          leaders_(std::bit_ceil(std::clamp(vertices, std::size_t{64}, std::size_t{1} << 16))) {}
+          last_(std::bit_ceil(std::clamp(vertices, std::size_t{64}, std::size_t{1} << 16))) {}
 
-    // Constant time.
+    struct Last {
+        Leader leader;
+        std::uint32_t missed = 0;  // bit k: k gates of this shape ago it led astray
+        std::uint64_t shape = 0;
+    };
+    // The entry of a shape, from now on this gate's; `leader` becomes the gate that had it.
+    // `facet` and `corner` are those of the gate. Constant time.
     template <class Place>
-    void enter(const std::array<Id, 3>& gate, Id behind, const Place& place) {
+    Last& enter(const std::array<Id, 3>& gate, Id behind, const Leader& own, Leader& leader,
+                const Place& place) {
         const GateShape found = shape_of(gate, behind, scale_, place);
-        corner_ = found.corner;
-        leader_ = &leaders_[found.shape & (leaders_.size() - 1)];
-        if (leader_->shape != found.shape) *leader_ = {kNone, kNone, 0, found.shape};
-    }
-    // Of the gate that was entered.
-    Id corner() const { return corner_; }
-    Leader& leader() { return *leader_; }
-    void learn(Id apex) { leader_->corner = corner_, leader_->apex = apex; }
-    // Where the leader has it that the apex is.
-    template <class Place>
-    Point3 expected(const Place& place) const {
-        const Point3 way = minus(place(leader_->apex), place(leader_->corner));
-        const Point3& foot = place(corner_);
-        return {foot[0] + way[0], foot[1] + way[1], foot[2] + way[2]};
+        Last& last = last_[found.shape & (last_.size() - 1)];
+        if (last.shape != found.shape) last = {{}, 0, found.shape};
+        leader.facet = last.leader.facet;
+        last.leader.facet = own.facet;
+        for (std::size_t i = 0; i < 3; ++i) {
+            leader.corner[(found.first + i) % 3] = last.leader.corner[i];
+            last.leader.corner[i] = own.corner[(found.first + i) % 3];
+        }
+        return last;
     }
 
   private:
     double scale_;
-    std::vector<Leader> leaders_;
-    Leader* leader_ = nullptr;
-    Id corner_ = kNone;
+    std::vector<Last> last_;
 };
 
 // Does p lie nearer to `there` than `reach`?

@@ -3,7 +3,7 @@
 // tets against such a front. Where the vertices lie says most about which it is: among the apexes
 // across the edges and the front vertices near by, the one whose sphere through the entry facet
 // lies lowest is asked for first, under contexts of that height and of how many edges fold onto it.
-// Where tets repeat, the last gate of the same shape tells even more.
+// Where tets repeat, an earlier gate like the one at hand tells even more.
 //
 // Constant time per tet but for the hash; the search looks at a bounded number of vertices.
 //
@@ -21,7 +21,7 @@
 
 #include "walk/apex_list.h"
 #include "walk/apex_search.h"
-#include "walk/gate_shapes.h"
+#include "walk/leaders.h"
 #include "walk/sphere_family.h"
 #include "walk/tet_front.h"
 #include "walk/vertex_grid.h"
@@ -41,8 +41,12 @@ class TetWalk {
         grid_.reserve(vertices);
         on_border_.reserve(vertices);
         open_count_.reserve(vertices);
-        triangle_of_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
-        if (limits.shape_step > 0) shapes_.emplace(limits.shape_step, vertices);
+        const std::size_t corners = std::min<std::size_t>(limits.corners, limits.plausible);
+        triangle_of_.reserve(corners);
+        if (limits.shape_step > 0) {
+            leaders_.emplace(limits, vertices);
+            leaders_->reserve(corners);
+        }
     }
 
     // False: the answers contradict each other or the limits (only a decoder can see this).
@@ -129,6 +133,7 @@ class TetWalk {
             for (Id j = 0; j < 3 && j < known; ++j) stencil.at[j] = known - 1 - j;
             if (!add_vertex(base + i, stencil)) return false;
         }
+        if (leaders_) leaders_->enter_seed();
         const auto& v = walked_.vertex;
         const auto made = front_.add_seed({v[base], v[base + 1], v[base + 2], v[base + 3]}, base);
         for (Id i = 0; i < 4; ++i) make_front(made[i], Apex::fresh);
@@ -142,7 +147,7 @@ class TetWalk {
         for (Id i = 0; i < 3; ++i) vertex[base + i] = t.vertex[i];
         Apex kind = Apex::fresh;
         Id apex = kNone;
-        const bool led = shapes_ && code_led(t, vertex[gate], kind, apex);
+        const bool led = leaders_ && code_led(t, gate, kind, apex);
         if (!led) apex = code_apex(t, kind);
         if (kind == Apex::fresh) {
             if (!add_vertex(base + 3, stencil_at(t, vertex[gate], led))) return false;
@@ -150,7 +155,7 @@ class TetWalk {
             if (apex >= walked_.vertex_count || is_in(t.vertex, apex)) return false;
             vertex[base + 3] = apex;
         }
-        if (shapes_) shapes_->learn(vertex[base + 3]);
+        if (leaders_) leaders_->enter_cell(walked_, base, led);
         if (!goes_on_) front_.erase(entry);
         goes_on_ = false;
         count(t, false);
@@ -167,9 +172,7 @@ class TetWalk {
             {gate.vertex[0], gate.vertex[1], gate.vertex[2], behind, front_.apex_across(gate, 0),
              front_.apex_across(gate, 1), front_.apex_across(gate, 2)});
         if (led) {
-            stencil.at[7] = shapes_->corner();
-            stencil.at[8] = shapes_->leader().corner;
-            stencil.at[9] = shapes_->leader().apex;
+            std::copy_n(leaders_->vertices().begin(), 5, stencil.at.begin() + 7);
             return stencil;
         }
         for (Id e = 0; e < 3; ++e)
@@ -177,21 +180,19 @@ class TetWalk {
         return stencil;
     }
 
-    // Does the apex lie as that of the last gate of this shape did, whether it is new or not?
-    bool code_led(const TetFront::Triangle& gate, Id behind, Apex& kind, Id& apex) {
-        const auto place = [&](Id v) -> const Point3& { return driver_.place(v); };
-        shapes_->enter(gate.vertex, behind, place);
-        Leader& leader = shapes_->leader();
-        if (leader.apex == kNone) return false;
-        const Point3 there = shapes_->expected(place);
+    // Does the apex lie where the gate's leader has it, whether it is new or not?
+    bool code_led(const TetFront::Triangle& gate, Id facet, Apex& kind, Id& apex) {
+        if (!leaders_->find(walked_, facet,
+                            [&](Id v) -> const Point3& { return driver_.place(v); }))
+            return false;
+        const Point3 there = leaders_->expected();
         const double reach = limits_.grid_side / 2;
         apex = nearest_on_front(grid_, gate.vertex, there, reach);
         const bool fresh = apex == kNone;
         const bool led =
-            driver_.flag(tet::kLed.at(leader.missed & 7, missed_ & 3, fresh),
+            driver_.flag(leaders_->context(fresh),
                          fresh ? driver_.is_new_near(there, reach) : driver_.apex_is(apex));
-        leader.missed = leader.missed << 1 | !led;
-        missed_ = missed_ << 1 | !led;
+        leaders_->learn(led);
         if (!fresh) kind = Apex::old;
         for (Id e = 0; e < 3 && !fresh; ++e)
             if (front_.apex_across(gate, e) == apex) kind = Apex::fold;
@@ -389,8 +390,7 @@ class TetWalk {
     std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it
     ApexList list_;
     ApexSearch search_;
-    std::optional<GateShapes> shapes_;
-    std::uint32_t missed_ = 0;  // as of a leader, of all gates that had one
+    std::optional<Leaders> leaders_;
 };
 
 }  // namespace ravel

@@ -3,13 +3,14 @@
 import math
 
 from conventions import NONE, clamp, cross, dot, minus
+from guesses import PLACES
 
 
 class Border:
     """What a vertex goes on with: the stencil it has from here on, N and the order of the axes."""
 
     def __init__(self, stencil, N):
-        self.stencil = stencil + [NONE] * (11 - len(stencil))
+        self.stencil = stencil + [NONE] * (PLACES - len(stencil))
         self.N = N
         # of equal ones the highest
         self.last = max(range(3), key=lambda k: (abs(N[k]), k))

@@ -4,7 +4,7 @@ from collections import namedtuple
 
 from container import CORNER
 from conventions import NONE
-from guesses import ROWS
+from guesses import PLACES, ROWS
 
 MOST_BESIDE = 12
 MOST_CORNERS = 16
@@ -42,8 +42,8 @@ class Points:
         configuration, stencil = self.shape.walk.stencils[self.shape.mesh.vertex_of[e]]
         if configuration == "led":
             stencil = stencil[:7]
-        stencil = stencil + [NONE] * (11 - len(stencil))
-        factors = [0] * 11
+        stencil = stencil + [NONE] * (PLACES - len(stencil))
+        factors = [0] * PLACES
         if configuration in ROWS:
             base = base_factors(configuration)
             if all(p != NONE for p, factor in zip(stencil, base) if factor):

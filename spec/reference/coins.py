@@ -110,7 +110,7 @@ def make_head(keeps_order):
 
 
 def make_positions_head(head):
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0, has_pairs=False)
     p.has_escapes = coin(0.3)
     p.has_minus_zero = head.lossless and coin(0.3)
     p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
@@ -137,7 +137,8 @@ def make_positions_head(head):
             out += bytes([p.echoes[-1][0]]) + b"".join(varint(zigzag(x)) for x in offset)
     if p.has_levels:
         p.level_bits = random.choice((0, 0, 1, 2, 4, 7, 12, 52))
-        out += bytes([p.level_bits])
+        p.has_pairs = p.level_bits > 0 and coin(0.6)
+        out += bytes([p.level_bits | p.has_pairs << 7])
     p.weights = {}
     for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
         count = guesses.WEIGHT_COUNT[c]
@@ -237,8 +238,8 @@ def damage(data):
 
 
 def whole_file(sections):
-    return b"Rav1" + bytes([container.VERSION]) + b"".join(section(id, data) for id, data in sections.items()) + b"\0"
-
-
-def section(id, data):
-    return bytes([id]) + varint(len(data) * 2) + struct.pack("<I", crc32c(data)) + data
+    out = b"Rav1" + bytes([container.VERSION])
+    for id, data in sections.items():
+        out += bytes([id]) + varint(len(data) * 2) + data
+    out += b"\0"
+    return out + struct.pack("<I", crc32c(out))

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, corrupt, require
 
-VERSION = 4
+VERSION = 5
 
 HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
 
@@ -15,8 +15,8 @@ POINT, CORNER, CELL, COMPANION, MESH = range(5)
 SCALARS = ("u8", "i8", "u16", "i16", "u32", "i32", "u64", "i64", "f32", "f64")
 
 
-def read_sections(data):
-    """3, 3.1: the unpacked bytes of each section by id."""
+def find_sections(data):
+    """3, 3.1: the id, the stored bytes and `raw_size` (None: not packed) of each section; the checksum is right."""
     if data[:4] != b"Rav1":
         raise Invalid("not_a_ravel_file", "no magic")
     if len(data) == 4:
@@ -24,28 +24,34 @@ def read_sections(data):
     if data[4] != VERSION:
         raise Invalid("unsupported_version", f"version is not {VERSION}")
     file = Bytes(data, "truncated", 5)
-    sections = {}
-    last = 0
+    found = []
     while True:
         id = file.u8()
         if id == 0:
             break
+        size = file.varint()
+        raw_size = file.varint() if size & 1 else None
+        found.append((id, file.take(size >> 1), raw_size))
+    before = data[: file.at]
+    checksum = file.u32()
+    require(file.left() == 0, "bytes behind the checksum")
+    if crc32c(before) != checksum:
+        raise Invalid("checksum_mismatch", "of the file")
+    return found
+
+
+def read_sections(data):
+    """3, 3.1: the unpacked bytes of each section by id."""
+    sections = {}
+    last = 0
+    for id, stored, raw_size in find_sections(data):
         require(id <= 8, "id of a section above 8")
         require(id > last, "sections not ascending")
         last = id
-        size = file.varint()
-        packed = size & 1
-        size >>= 1
-        raw_size = file.varint() if packed else size
-        checksum = file.u32()
-        stored = file.take(size)
-        if crc32c(stored) != checksum:
-            raise Invalid("checksum_mismatch", f"section {id}")
-        if packed:
-            require(raw_size <= (size // 4 + 1) * 131072, "raw_size above what the bytes can hold")
+        if raw_size is not None:
+            require(raw_size <= (len(stored) // 4 + 1) * 131072, "raw_size above what the bytes can hold")
             stored = zstd.unpack(stored, raw_size)
         sections[id] = stored
-    require(file.left() == 0, "bytes behind end")
     for id in (HEAD, BLOCK, CONNECTIVITY, POSITIONS):
         require(id in sections, f"section {id} is missing")
     return sections
@@ -191,9 +197,9 @@ def read_block(data, tets):
 
 def check_memory(head, block, sections, limit):
     """15: what the code beside the specification may take. This decoder takes more."""
-    P, Q, V = (96 if head.tets else 52), 80, 396
+    P, Q, V = (100 if head.tets else 52), 80, 716
     if head.keeps_order:
-        P, Q, V = P + 24, 192, 452
+        P, Q, V = P + 24, 192, 772
     if block.edge_points:
         Q += 168
     need = block.corners * P + block.cells * Q + (block.vertices + block.unused_points) * V

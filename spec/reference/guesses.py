@@ -2,10 +2,12 @@
 
 import math
 
+from carried import carried
 from conventions import NONE, cross, divide, dot, length, minus, plus, times
 
 NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "border", "led", "edge")
 NUMBER = {name: i for i, name in enumerate(NAMES)}
+PLACES = 12  # of a stencil
 WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7, 5)
 DEFAULTS = {
     "polygon": [2048, 0, 1024],
@@ -16,7 +18,7 @@ DEFAULTS = {
 
 def _row(text):
     factors = [int(x) for x in text.split()]
-    return factors + [0] * (11 - len(factors))
+    return factors + [0] * (PLACES - len(factors))
 
 
 def _rows(base, *weights):
@@ -39,15 +41,15 @@ ROWS = {
 
 
 def guess(configuration, stencil, value, weights, mirrored):
-    """g on each axis, but for `edge`; `stencil` has 11 places, `value` the values of the vertices."""
+    """g on each axis, but for `edge`; `stencil` has 12 places, `value` the values of the vertices."""
     if configuration == "tet":
         return _guess_tet([value[v] for v in stencil[:7]], weights, mirrored)
     if configuration == "border":
         return _guess_border([value[v] for v in stencil[:4]], weights)
     if configuration == "led":
-        p = [value[v] for v in stencil[7:10]]
-        return plus(p[0], minus(p[2], p[1]))
-    total = [0] * 11
+        p = [value[v] for v in stencil]
+        return carried(p[11], p[7:11], p[:4])
+    total = [0] * PLACES
     for row, w in zip(ROWS[configuration], [4096] + weights):
         if any(factor != 0 and stencil[i] == NONE for i, factor in enumerate(row)):
             continue
@@ -56,7 +58,7 @@ def guess(configuration, stencil, value, weights, mirrored):
     g = []
     for axis in range(3):
         x = 0.0
-        for i in range(11):
+        for i in range(PLACES):
             if total[i] != 0:
                 x = x + value[stencil[i]][axis] * float(total[i])
         g.append(x / 4096)

@@ -1,9 +1,10 @@
-"""8.5.3: levels, known and shared ones."""
+"""8.5.3: levels: by pairs, known ones and shared ones."""
 
 import math
 
 from conventions import MASK64, NONE, scale, width
 from guesses import NUMBER
+from pairs import PairsOfLevels
 
 PLACES = 8
 
@@ -21,11 +22,35 @@ class List:
         self.turn = 0
 
 
+def nearest(x, bits, levels_of):
+    """1: the level nearest to x, None if there is none, its place and d; `levels_of` has the list of an interval."""
+    side = scale(1.0, bits)
+    d = side * 0.5
+    found = found_at = None
+
+    def look(interval):
+        nonlocal d, found, found_at
+        for place, level in enumerate(levels_of(interval)):
+            if abs(level.x - x) < d:
+                d = abs(level.x - x)
+                found, found_at = level, place
+
+    at = x * scale(1.0, -bits)
+    interval = math.floor(at)
+    behind = at - interval
+    look(interval)
+    if behind < 0.5:
+        if d > behind * side:
+            look(interval - 1)
+    elif d > (1 - behind) * side:
+        look(interval + 1)
+    return found, found_at, d
+
+
 class KnownLevels:
     """The values that vertices have had, per axis."""
 
     def __init__(self, block, bits):
-        self.side = scale(1.0, bits)
         self.inverse = scale(1.0, -bits)
         self.N = 1 << (min(max((block.vertices + block.unused_points) // 16, 16), 1 << 20) - 1).bit_length()
         self.lists = [{}, {}, {}]
@@ -33,29 +58,6 @@ class KnownLevels:
     def list(self, axis, interval):
         slot = ((interval * 0x9E3779B97F4A7C15 & MASK64) >> 32) % self.N
         return self.lists[axis].setdefault(slot, List())
-
-    def nearest(self, axis, x):
-        """1: the level, None if there is none, and d."""
-        d = self.side * 0.5
-        found = None
-
-        def look(interval):
-            nonlocal d, found
-            level = min(self.list(axis, interval).places, key=lambda a: abs(a.x - x))
-            if abs(level.x - x) < d:
-                d = abs(level.x - x)
-                found = level
-
-        at = x * self.inverse
-        interval = math.floor(at)
-        behind = at - interval
-        look(interval)
-        if behind < 0.5:
-            if d > behind * self.side:
-                look(interval - 1)
-        elif d > (1 - behind) * self.side:
-            look(interval + 1)
-        return found, d
 
     def enter(self, v, value):
         for axis, x in enumerate(value):
@@ -72,37 +74,54 @@ class KnownLevels:
 class Levels:
     def __init__(self, block, head, positions):
         self.positions = positions
-        self.known = KnownLevels(block, head.level_bits) if head.level_bits > 0 else None
-        self.before = [False] * 3
+        self.bits = head.level_bits
+        self.pairs = PairsOfLevels(block, self.bits) if head.has_pairs else None
+        self.known = KnownLevels(block, self.bits) if self.bits > 0 else None
+        # the last answers on each axis
+        self.before_pair = [False] * 3
+        self.before_known = [False] * 3
         self.history = [0, 0, 0]
 
     def enter(self, v):
         """A vertex that has its values, copies too."""
+        value = self.positions.value[v]
+        if self.pairs:
+            self.pairs.enter(v, value)
         if self.known:
-            self.known.enter(v, self.positions.value[v])
+            self.known.enter(v, value)
 
-    def read(self, configuration, stencil, axis, w):
-        """The vertex whose value on the axis this vertex has; None if there is none."""
+    def read(self, configuration, stencil, axis, w, beside):
+        """The vertex whose value on the axis this vertex has; None if there is none.
+
+        `beside`: the value of the vertex on the axis before; None if it is not known.
+        """
         there = [p for p in stencil[:7] if p != NONE]
         values = [self.positions.value[p][axis] for p in there]
-        known = None
+        found = []  # the values of levels that were found
+        if self.pairs and beside is not None:
+            pair, place, d = nearest(float(w), self.bits, lambda i: self.pairs.list(axis, beside, i))
+            if pair:
+                votes = values.count(pair.x)
+                if self.ask("pair", self.before_pair, axis, d, min(place, 3), votes, len(values)):
+                    return pair.vertex
+                found.append(pair.x)
         if self.known:
-            known, d = self.known.nearest(axis, float(w))
-            if known and self.is_known(axis, known, d, values):
-                return known.vertex
-        return self.read_shared(configuration, axis, w, there, values, known)
+            known, _, d = nearest(float(w), self.bits, lambda i: self.known.list(axis, i).places)
+            if known and known.x not in found:
+                votes = values.count(known.x)
+                if self.ask("known", self.before_known, axis, d, width(known.count) - 1, votes, len(values)):
+                    return known.vertex
+                found.append(known.x)
+        return self.read_shared(configuration, axis, w, there, values, found)
 
-    def is_known(self, axis, level, d, values):
-        """2"""
-        votes = sum(x == level.x for x in values)
-        state = 4 * self.before[axis] + min(votes, 3)
-        answer = self.positions.flag(
-            "known", width(math.trunc(d)), width(level.count) - 1, state, len(values) > 4)
-        self.before[axis] = answer
-        return answer
+    def ask(self, name, before, axis, d, second, votes, n):
+        """2: the answer under `pair` or `known`."""
+        state = 4 * before[axis] + min(votes, 3)
+        before[axis] = self.positions.flag(name, width(math.trunc(d)), second, state, n > 4)
+        return before[axis]
 
-    def read_shared(self, configuration, axis, w, there, values, known):
-        """`known` is the level that was asked for before, None if there was none."""
+    def read_shared(self, configuration, axis, w, there, values, found):
+        """`found`: the values of the pair and of the known level, of those that were found."""
         most = 0
         level = None
         for i, x in enumerate(values):
@@ -110,7 +129,7 @@ class Levels:
             if votes > most:
                 most = votes
                 level = i
-        if most < 2 or (known and known.x == values[level]):
+        if most < 2 or values[level] in found:
             return None
         g = w == math.trunc(values[level])
         h = self.history[axis]

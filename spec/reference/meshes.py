@@ -22,6 +22,8 @@ def every():
     yield "soup:tets=120,seed=2,double", "vtk", ["", "--float32", "--lattice 2^-10", "--position-bits 30"]
     yield decimals, "vtk", [""]
     yield decimal_tets, "vtk", [""]
+    yield crowded, "vtk", ["", "--position-bits 14"]
+    yield shaken, "vtk", ["", "--lattice 1"]
     yield wild, "vtk", ["", "--position-bits 10"]
     yield two_alike, "vtk", ["", "--position-bits 12"]
     yield scattered_polygons, "vtk", ["", "--position-bits 9"]
@@ -91,6 +93,8 @@ TETS = (
     "tets:box=4x4x4,jitter=0.2",
     "tets:box=3x3x3,jitter=0.3,double,seed=3",
     "tets:box=2x2x3,copies=3",
+    "tets:box=8x4x4,bend=60",
+    "tets:box=6x4x4,twist=90,five",
     "tets:ball=4",
     "tets:ball=4,double,shuffle",
     "tets:shell=5",
@@ -158,6 +162,25 @@ def decimal_tets():
             for x in range(4):
                 points.append([f"{a + random.uniform(-0.2, 0.2):.4f}" for a in (x, y, z)])
     return vtk(points, box_tets(3), 10)
+
+
+def crowded():
+    """A fine lattice of tets beside a coarse one: it all lies in one cube of the grid."""
+    points = []
+    cells = []
+    for n, at, side in ((5, 0.0, 1 / 64), (4, 16.0, 64.0)):
+        cells += [[len(points) + p for p in cell] for cell in box_tets(n)]
+        steps = range(n + 1)
+        points += [(at + side * x, side * y, side * z) for z in steps for y in steps for x in steps]
+    return vtk(points, cells, 10)
+
+
+def shaken():
+    """A lattice of tets whose points are a step off, here and there."""
+    random.seed(14)
+    steps = [64 * i for i in range(5)]
+    points = [tuple(a + random.randint(-1, 1) for a in (x, y, z)) for z in steps for y in steps for x in steps]
+    return vtk(points, box_tets(4), 10)
 
 
 def wild():

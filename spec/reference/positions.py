@@ -19,7 +19,7 @@ GRID, DECIMAL, BINARY = range(3)
 def read_positions_head(data, head):
     """8.1"""
     bytes = Bytes(data)
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0, has_pairs=False)
     flags = bytes.u8()
     p.has_follows = bool(flags & 1)
     p.has_along = bool(flags & 2)
@@ -54,8 +54,11 @@ def read_positions_head(data, head):
             require(p.digits == 0 or not any(offset), "offset of an echo with digits")
             p.echoes.append((mirrored, offset))
     if p.has_levels:
-        p.level_bits = bytes.u8()
+        levels = bytes.u8()
+        p.level_bits = levels & 127
+        p.has_pairs = bool(levels & 128)
         require(p.level_bits <= 52, "level_bits")
+        require(p.level_bits > 0 or not p.has_pairs, "has_pairs without level_bits")
     p.weights = {}
     for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
         count = guesses.WEIGHT_COUNT[c]
@@ -168,7 +171,7 @@ class Positions:
     # 8.4
 
     def read(self, configuration, stencil, borders=()):
-        stencil = stencil + [NONE] * (11 - len(stencil))
+        stencil = stencil + [NONE] * (guesses.PLACES - len(stencil))
         v = len(self.value)
         sizes = self.sizes
         on_edge = configuration == "edge"
@@ -212,7 +215,7 @@ class Positions:
             # 6
             sizes.begin(stencil[:3], NUMBER[configuration], border.order)
         # 7
-        value = [0.0] * 3
+        value = [None] * 3
         coordinate = [None] * 3
         for k in sizes.order:
             off_plane = None
@@ -229,7 +232,8 @@ class Positions:
                 same = self.flag("follow_same", k, self.follow_same_history)
                 self.follow_same_history = (self.follow_same_history * 2 + same) % 4
             elif not follows and self.levels and not on_edge:
-                level = self.levels.read(configuration, stencil, k, w[k])
+                beside = value[k - 1] if k > 0 else None
+                level = self.levels.read(configuration, stencil, k, w[k], beside)
                 same = level is not None
             # 7.2
             if same:

@@ -47,9 +47,13 @@ class TetWalk(Walk):
             place.append(float(math.floor(min(y, 2.0**20) + 0.5)) if y > 0 else 0.0)
         return tuple(place)
 
-    def triple(self, f):
+    def corners_of(self, f):
+        """The corners that the vertices of `triple` are at."""
         base = f & ~3
-        return tuple(self.vertex[base + i] for i in OUTWARD[f & 3])
+        return [base + i for i in OUTWARD[f & 3]]
+
+    def triple(self, f):
+        return tuple(self.vertex[c] for c in self.corners_of(f))
 
     def pair(self, s, t, n):
         self.mate[s] = t
@@ -117,7 +121,7 @@ class TetWalk(Walk):
             require(apex < self.vertex_count and apex not in corners, "apex that is a corner of the gate")
             self.vertex[base + 3] = apex
         if shape:
-            shape.lead(self.vertex[base + 3])
+            shape.lead(base)
         # 3
         self.closed(gate)
         self.state[gate] = GONE

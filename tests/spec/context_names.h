@@ -51,7 +51,8 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"follow", R::follow},
                                                 {"follow_same", R::follow_same},
                                                 {"along", R::along},
-                                                {"known", R::known}};
+                                                {"known", R::known},
+                                                {"pair", R::pair}};
     return blocks;
 }
 

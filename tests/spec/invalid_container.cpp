@@ -1,5 +1,4 @@
 // Rows 1 to 13 of chapter 14.
-#include "base/checksum.h"
 #include "container/sections.h"
 #include "spec/invalid_maker.h"
 
@@ -37,14 +36,13 @@ Bytes with_stored(const Bytes& file, SectionId id, const Write& write) {
         else
             write_section(out, part.id, part.raw, {});
     }
-    out.u8(0);
+    write_end(out);
     return out.take();
 }
 void store(ByteWriter& out, SectionId id, const Bytes& stored, std::uint64_t raw_size) {
     out.u8(static_cast<std::uint8_t>(id));
     out.varint(std::uint64_t{stored.size()} << 1 | 1);
     out.varint(raw_size);
-    out.u32(crc32c(stored));
     out.raw(stored);
 }
 
@@ -63,19 +61,21 @@ void InvalidMaker::container() {
     add(3, "no-version", "nothing behind the magic", file, Code::truncated);
     file = quads();
     file.pop_back();
+    add(3, "in-checksum", "the checksum is cut", file, Code::truncated);
+    file.resize(file.size() - 4);
     add(3, "no-end", "the byte 0 is missing", file, Code::truncated);
     file.resize(file.size() - 2);
     add(3, "in-bytes", "the bytes of positions are cut", file, Code::truncated);
-    file.resize(8);
-    add(3, "in-a-head", "the checksum of head is cut", file, Code::truncated);
+    file.resize(6);
+    add(3, "in-a-head", "the size of head is cut", file, Code::truncated);
     file = quads();
     file[6] = byte(0x80);
     file[7] = byte(0);
     add(4, "size", "the size of head is 80 00", file, Code::truncated);
-    file = quads();
-    file.back() = byte(9);
-    add(5, "id", "a section 9 in the place of end", file);
     auto parts = parts_of(quads());
+    parts.push_back({static_cast<SectionId>(9), {}});
+    add(5, "id", "a section 9", put_together(parts));
+    parts.pop_back();
     std::swap(parts[2], parts[3]);
     add(6, "order", "positions before connectivity", put_together(parts));
     std::swap(parts[2], parts[3]);
@@ -83,7 +83,7 @@ void InvalidMaker::container() {
     add(6, "twice", "positions twice", put_together(parts));
     file = quads();
     file.push_back(byte(0));
-    add(7, "more", "a byte behind end", file);
+    add(7, "more", "a byte behind the checksum", file);
     for (std::size_t k = 0; k < 4; ++k) {
         parts = parts_of(quads());
         const std::string name = std::string("no-") + name_of(parts[k].id);
@@ -103,7 +103,7 @@ void InvalidMaker::container() {
         return put_together(all);
     }());
     file = quads();
-    file[file.size() - 3] ^= byte(1);
+    file[file.size() - 7] ^= byte(1);
     add(10, "bit", "a bit of positions is flipped", file, Code::checksum_mismatch);
     add(11, "no-frame", "block is packed, but no frame",
         with_stored(quads(), kBlock,

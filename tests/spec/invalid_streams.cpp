@@ -118,15 +118,20 @@ void InvalidMaker::positions() {
     echo("cubes", "cube_bits is 53", echoes(1, 53, 0, 0));
     echo("mirrored", "mirrored is 8", echoes(1, 3, 8, 0));
     echo("offset", "an offset of 2^53 + 1", echoes(1, 3, 1, kMost + 1));
-    add(40, "levels", "level_bits is 53",
-        raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
+    const auto levels = [](std::uint8_t value) {
+        return [=](Bytes& raw) {
             ByteWriter out;
             out.u8(128);
             out.u8(0);
-            out.u8(53);
+            out.u8(value);
             out.raw(std::span(raw).subspan(3));
             raw = out.take();
-        }));
+        };
+    };
+    add(40, "levels", "level_bits is 53",
+        raw_changed("two-quads", SectionId::positions, levels(53)));
+    add(40, "pairs", "has_pairs where level_bits is 0",
+        raw_changed("two-quads", SectionId::positions, levels(128)));
     add(41, "weight", "a weight of 32768",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;

@@ -87,7 +87,11 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
             format.echoes.push_back(echo);
         }
     }
-    if (format.has_levels) format.level_bits = static_cast<int>(f.u8("level_bits"));
+    if (format.has_levels) {
+        const unsigned levels = f.u8("levels");
+        format.level_bits = static_cast<int>(levels & 127);
+        format.has_pairs = (levels & 128) != 0;
+    }
     for (std::size_t c = 0; c < kConfigurations; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             format.weights[c][i] = static_cast<std::int16_t>(f.signed_varint("weight"));

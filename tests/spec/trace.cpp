@@ -29,7 +29,8 @@ Trace trace_of(std::span<const std::byte> file, const TraceLimits& limits) {
         if (!section) return broken(section.error().detail);
         const std::size_t end = file.size() - in.left();
         if (section->id == SectionId::end) {
-            out += std::to_string(at) + "  00  end\n";
+            out += std::to_string(at) + "  00  end\n" + std::to_string(end) + "  " +
+                   hex(file.subspan(end)) + "  checksum\n";
             break;
         }
         out += std::to_string(at) + "  " + hex(file.subspan(at, end - at - section->bytes.size())) +

@@ -160,6 +160,9 @@ std::vector<ValidFile> valid_files() {
     add_made("flat-tet", "tets that repeat a corner", "tiny:flat-tet");
     add_made("box", "tets of a box, on a grid", "tets:box=2x1x1", bits(9));
     add_made("cubes", "cubes that are cut alike: gates of one shape", "tets:box=4x3x3", bits(9));
+    add_made("bent", "cubes that are cut alike, bent: what leaders tell is carried over",
+             "tets:box=7x3x3,bend=60,twist=20", bits(12));
+    add_made("swept", "the same, bent alone: pairs of levels", "tets:box=7x3x3,bend=60", bits(12));
     add_made("ball", "tets of a ball, lossless", "tets:ball=2,jitter=0.1");
     add_made("shell", "tets with a hole, on a grid", "tets:shell=3,jitter=0.1", bits(10));
     add_made("many-tets", "fitted weights", "tets:ball=6,jitter=0.2,seed=3", bits(14));

@@ -34,7 +34,7 @@ Bytes put_together(const std::vector<FilePart>& parts, int level) {
     out.u8(kVersion);
     for (const FilePart& part : parts)
         write_section(out, part.id, part.raw, level > 0 ? pack(part.raw, level) : Bytes{});
-    out.u8(0);
+    write_end(out);
     return out.take();
 }
 

@@ -29,7 +29,7 @@ TEST_CASE("shapes are the same wherever a gate lies, and whichever corner is nam
     CHECK(shape({0, 1, 2}, 3) == shape({7, 5, 6}, 8));
     CHECK(shape({0, 1, 2}, 3) != shape({0, 2, 1}, 3));  // seen from the other side
     CHECK(shape({0, 1, 2}, 3) != shape({0, 1, 2}, 4));  // another apex behind
-    CHECK(shape_of({1, 2, 0}, 3, 1.0, place).corner == 0);
+    CHECK(shape_of({1, 2, 0}, 3, 1.0, place).first == 2);
 }
 
 TEST_CASE("shapes are told apart by the step") {
@@ -37,21 +37,19 @@ TEST_CASE("shapes are told apart by the step") {
     CHECK(shape({0, 1, 2}, 3, 1) != shape({10, 11, 12}, 13, 1));
 }
 
-TEST_CASE("a leader tells where the apex is, until another shape takes its place") {
+TEST_CASE("the last gate of a shape leads the next, until another shape takes its place") {
     GateShapes shapes(4, 1);
-    shapes.enter({0, 1, 2}, 3, place);
-    CHECK(shapes.leader().apex == kNone);
-    shapes.learn(4);
-    shapes.enter({6, 7, 5}, 8, place);
-    REQUIRE(shapes.leader().apex == 4);
-    CHECK(shapes.leader().corner == 0);
-    CHECK(shapes.corner() == 5);
-    CHECK(shapes.expected(place) == place(9));
-    shapes.learn(9);
-    shapes.enter({0, 1, 2}, 4, place);
-    CHECK(shapes.leader().apex == kNone);
-    shapes.enter({0, 1, 2}, 3, place);
-    CHECK(shapes.leader().apex == 9);
+    Leader leader;
+    shapes.enter({0, 1, 2}, 3, {30, {10, 11, 12}}, leader, place);
+    CHECK(leader.facet == kNone);
+    shapes.enter({6, 7, 5}, 8, {31, {16, 17, 15}}, leader, place);
+    REQUIRE(leader.facet == 30);
+    CHECK(leader.corner == std::array<Id, 3>{11, 12, 10});
+    shapes.enter({0, 1, 2}, 4, {32, {}}, leader, place);
+    CHECK(leader.facet == kNone);
+    shapes.enter({2, 0, 1}, 3, {33, {}}, leader, place);
+    REQUIRE(leader.facet == 31);
+    CHECK(leader.corner == std::array<Id, 3>{17, 15, 16});
 }
 
 TEST_CASE("the nearest vertex of the front is none of the gate's, and of equals the oldest") {

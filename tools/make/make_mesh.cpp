@@ -146,6 +146,7 @@ std::vector<RecipeHelp> recipe_help() {
         {"polygons:mixed[,size=40x40]", "quads with triangles, pentagons and hexagons among them"},
         {"polygons:cap[,size=N]", "a dome of quads closed by one N-gon"},
         {"tets:box=20x20x20[,five][,jitter=0.2]", "cubes cut into 6 tets (Kuhn) or 5"},
+        {"tets:box=40x8x8,bend=90[,twist=90]", "the same, bent and twisted; in degrees"},
         {"tets:ball=12", "the same cubes pushed onto a ball"},
         {"tets:shell=12", "a ball with a hollow inside"},
         {"soup:polygons=200[,seed=S]", "random polygons with every kind of dirt"},

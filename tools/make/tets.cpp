@@ -1,8 +1,9 @@
-// Tet meshes from cubes: boxes, balls and shells.
+// Tet meshes from cubes: boxes, straight or bent, balls and shells.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "make/circle.h"
 #include "make/families.h"
 #include "make/random.h"
 
@@ -97,10 +98,36 @@ void round_off(Builder& builder, double side) {
     }
 }
 
+// A box's long way, along x, becomes an arc round an axis along z; its near side keeps its length.
+void bend(Builder& builder, double length, double turns) {
+    const double near = length / (turns * 6.283185307179586);
+    for (std::size_t i = 0; i < builder.coordinates.size(); i += 3) {
+        double* const p = &builder.coordinates[i];
+        const CirclePoint at = circle_point(p[0] / length * turns);
+        const double radius = near + p[1];
+        p[0] = radius * at.sine;
+        p[1] = radius * at.cosine;
+    }
+}
+
+// Turns a box's sections along x, the farther the more.
+void twist(Builder& builder, const Sizes& size, double turns) {
+    for (std::size_t i = 0; i < builder.coordinates.size(); i += 3) {
+        double* const p = &builder.coordinates[i];
+        const CirclePoint at = circle_point(p[0] / static_cast<double>(size[0]) * turns);
+        const double y = p[1] - static_cast<double>(size[1]) / 2,
+                     z = p[2] - static_cast<double>(size[2]) / 2;
+        p[1] = y * at.cosine - z * at.sine;
+        p[2] = y * at.sine + z * at.cosine;
+    }
+}
+
 }  // namespace
 
 Builder make_tets(Recipe& recipe) {
     const bool five = recipe.has("five");
+    const double bent = recipe.number("bend", 0, 0, 350) / 360,
+                 twisted = recipe.number("twist", 0, 0, 360) / 360;
     const double jitter = recipe.number("jitter", 0, 0, 1);
     Random random{recipe.integer("seed", 1, 0, ~std::uint64_t{0})};
     const auto everywhere = [](std::uint64_t, std::uint64_t, std::uint64_t) { return true; };
@@ -110,6 +137,8 @@ Builder make_tets(Recipe& recipe) {
     if (recipe.has("box")) {
         recipe.sizes("box", size.data(), 3, 400);
         builder = cubes(size, five, everywhere);
+        if (twisted > 0) twist(builder, size, twisted);
+        if (bent > 0) bend(builder, static_cast<double>(size[0]), bent);
     } else if (recipe.has("ball")) {
         recipe.sizes("ball", size.data(), 1, 400);
         size = {size[0], size[0], size[0]};

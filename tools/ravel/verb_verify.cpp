@@ -73,7 +73,7 @@ ExitCode verify_mesh(const Options& options) {
     return found.equal ? ExitCode::done : ExitCode::no;
 }
 
-// Without the mesh there is nothing to compare with: unpack everything and check every checksum.
+// Without the mesh there is nothing to compare with: check the checksum and unpack everything.
 ExitCode verify_file(const Options& options) {
     Progress progress(options.input, "unpacking");
     auto bytes = read_bytes(options.input);
@@ -124,7 +124,7 @@ void add_verify(CLI::App& app, Action& action) {
     add_encode_flags(*verb, options->flags);
     verb->footer(
         "A mesh is encoded with the options given, decoded and compared, in memory.\n"
-        "A .ravel file is unpacked and its checksums are checked (stdin is taken for one).\n"
+        "A .ravel file's checksum is checked and it is unpacked (stdin is taken for one).\n"
         "Exit code 0: equal, or the file is whole. 1: a difference. 4: a corrupt file.\n\n"
         "Examples:\n"
         "  ravel verify chair.obj --position-bits 14 --json\n"

@@ -149,7 +149,7 @@ struct FileInfo {
     std::vector<AttributeInfo> attributes;
 };
 
-// Reads headers only; packed data is neither unpacked nor checked against its checksums.
+// Reads headers only, once the checksum says that the bytes are whole; packed data is not unpacked.
 Result<FileInfo> inspect(std::span<const std::byte> bytes);
 
 // Is `decoded` what `original` became? Connectivity, order maps, attributes and names exactly;

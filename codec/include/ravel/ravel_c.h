@@ -39,7 +39,7 @@ typedef enum ravel_code {
     RAVEL_NOT_A_RAVEL_FILE = 1,    /* the magic bytes are missing */
     RAVEL_UNSUPPORTED_VERSION = 2, /* written by another version of ravel */
     RAVEL_TRUNCATED = 3,           /* the bytes end before the data does */
-    RAVEL_CHECKSUM_MISMATCH = 4,   /* a section's bytes are not those that were written */
+    RAVEL_CHECKSUM_MISMATCH = 4,   /* the bytes are not those that were written */
     RAVEL_CORRUPT = 5,             /* a value that no encoder writes */
     RAVEL_LIMIT_EXCEEDED = 6,      /* more memory than the caller allows */
     RAVEL_BAD_OPTION = 7,          /* options that contradict each other or are out of range */
@@ -312,7 +312,7 @@ typedef struct ravel_encode_options {
     int32_t level;         /* zstd's, 1..22 */
     uint32_t keep_order;   /* 1: the order of points and cells comes back */
     uint32_t float32;      /* 1: round F64 positions to F32 first */
-    uint32_t fast;         /* 1: faster to make and decode: no repeats, mirrors, planes are sought */
+    uint32_t fast; /* 1: faster to make and decode: no repeats, mirrors, planes are sought */
     double max_error_relative; /* as max_error, in diagonals of the bounding box */
     double lattice; /* a power of two: coordinates become multiples of it, alike in every mesh */
     const ravel_attribute_bound* attribute_bounds;

@@ -14,7 +14,7 @@ enum class Code : std::uint8_t {
     not_a_ravel_file,     // the magic bytes are missing
     unsupported_version,  // written by a newer ravel
     truncated,            // the bytes end before the data does
-    checksum_mismatch,    // a section's bytes are not those that were written
+    checksum_mismatch,    // the bytes are not those that were written
     corrupt,              // a value that no encoder writes
     limit_exceeded,       // more than the caller, or one block, allows
     bad_option,           // options that contradict each other or are out of range

@@ -1,0 +1,97 @@
+// The coordinates on one axis that vertices with the same coordinate on the axis before have so
+// far: in what is drawn on a plan, or swept along an axis, pairs repeat more than chance would have
+// it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "mesh/complex.h"
+#include "mesh/point3.h"
+
+namespace ravel {
+
+// Levels in intervals of length 2^bits, axis by axis, hashed together with the other coordinate;
+// whatever has the same hash shares a list, so the hash is part of the format. A list has the five
+// levels that were had last, the last one first. Constant time.
+class LevelPairs {
+  public:
+    LevelPairs(int bits, std::size_t vertices)
+        : scale_(std::ldexp(1.0, -bits)),
+          length_(std::ldexp(1.0, bits)),
+          mask_(std::bit_ceil(std::clamp(vertices / 4, std::size_t{16}, std::size_t{1} << 21)) - 1),
+          lists_(2 * (mask_ + 1)) {}
+
+    struct Near {
+        Id vertex = kNone;  // the first that had it
+        std::uint32_t place = 0;
+        double distance = 0;
+    };
+    // The level nearest to x on `axis`, beside `other` on the axis before, less than half an
+    // interval away: in the interval of x, or the one beside if that may hold a nearer one.
+    Near nearest(std::size_t axis, double other, double x) const {
+        const std::uint64_t key = key_of(other);
+        const double at = x * scale_;
+        const std::int64_t interval = whole_below(at);
+        const double behind = at - static_cast<double>(interval);
+        Near best;
+        best.distance = length_ / 2;
+        look(slot(axis, key, interval), x, best);
+        const bool low = behind < 0.5;
+        if (best.distance > (low ? behind : 1 - behind) * length_)
+            look(slot(axis, key, low ? interval - 1 : interval + 1), x, best);
+        return best;
+    }
+    void insert(std::size_t axis, double other, double x, Id vertex) {
+        List& list = lists_[slot(axis, key_of(other), whole_below(x * scale_))];
+        std::size_t place = 0;
+        while (place < kPlaces - 1 && list.level[place] != x) ++place;
+        if (list.level[place] == x) vertex = list.vertex[place];
+        for (; place > 0; --place) {
+            list.level[place] = list.level[place - 1];
+            list.vertex[place] = list.vertex[place - 1];
+        }
+        list.level[0] = x;
+        list.vertex[0] = vertex;
+    }
+
+  private:
+    static constexpr std::size_t kPlaces = 5;
+    struct List {
+        std::array<double, kPlaces> level = [] {
+            std::array<double, kPlaces> none;
+            none.fill(std::numeric_limits<double>::infinity());
+            return none;
+        }();
+        std::array<Id, kPlaces> vertex{};
+    };
+
+    void look(std::size_t slot, double x, Near& best) const {
+        const List& list = lists_[slot];
+        for (std::size_t i = 0; i < kPlaces; ++i) {
+            const double d = std::abs(list.level[i] - x);
+            if (d < best.distance) best = {list.vertex[i], static_cast<std::uint32_t>(i), d};
+        }
+    }
+    // Zeros of either sign are one.
+    static std::uint64_t key_of(double other) {
+        const std::uint64_t key = std::bit_cast<std::uint64_t>(other + 0.0) * 0xC2B2AE3D27D4EB4Fu;
+        return key ^ key >> 29;
+    }
+    std::size_t slot(std::size_t axis, std::uint64_t key, std::int64_t interval) const {
+        const std::uint64_t hash =
+            (static_cast<std::uint64_t>(interval) ^ key) * 0x9E3779B97F4A7C15u;
+        return 2 * (static_cast<std::size_t>(hash >> 32) & mask_) + axis - 1;
+    }
+
+    double scale_, length_;
+    std::size_t mask_;
+    std::vector<List> lists_;
+};
+
+}  // namespace ravel
