@@ -28,6 +28,35 @@ inline constexpr std::array<RunCut, kFlagClasses> kRunCut = [] {
     return cuts;
 }();
 
+// The codes of the classes with short runs by their first bits: of these nobody foresees any, so
+// nothing branches on them.
+struct RunCode {
+    std::uint8_t left = 0;  // flags of the run
+    bool is_full = false;   // no miss ends it
+    std::uint8_t bits = 0;  // of the code
+};
+inline constexpr std::size_t kShortClasses = 7;
+inline constexpr int kShortBits = 5;  // of the longest of their codes
+static_assert(kRunCut[kShortClasses - 1].bits + 2 <= kShortBits);
+inline constexpr auto kRunCodes = [] {
+    std::array<std::array<RunCode, 1u << kShortBits>, kShortClasses> codes{};
+    for (std::size_t c = 0; c < kShortClasses; ++c)
+        for (unsigned bits = 0; bits < codes[c].size(); ++bits) {
+            RunCode& code = codes[c][bits];
+            if (bits >> (kShortBits - 1) != 0) {
+                code = {static_cast<std::uint8_t>(kRunOf[c]), true, 1};
+                continue;
+            }
+            const RunCut cut = kRunCut[c];
+            int left = kShortBits - 1 - cut.bits;
+            unsigned length = bits >> left;
+            if (length >= cut.brief) length = 2 * length + (bits >> --left & 1u) - cut.brief;
+            code = {static_cast<std::uint8_t>(length + 1), false,
+                    static_cast<std::uint8_t>(kShortBits - left)};
+        }
+    return codes;
+}();
+
 class FlagDecoder {
   public:
     explicit FlagDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -64,6 +93,13 @@ class FlagDecoder {
 
     void fetch(Run& run, std::size_t c) {
         if (held_ < 16) refill();
+        if (c < kShortClasses) {
+            const RunCode code =
+                kRunCodes[c][hold_ >> (held_ - kShortBits) & ((1u << kShortBits) - 1)];
+            held_ -= code.bits;
+            run = {code.left, std::uint32_t{0} - code.is_full};
+            return;
+        }
         if ((hold_ >> --held_ & 1) != 0) {
             run = {kRunOf[c], ~std::uint32_t{0}};
             return;
@@ -93,6 +129,10 @@ class FlagDecoder {
             position_ += static_cast<std::size_t>(whole);
             return;
         }
+        refill_from_last();
+    }
+    // From the last bytes, and what is beyond them.
+    [[gnu::noinline, gnu::cold]] void refill_from_last() {
         while (held_ <= 48) {
             std::uint64_t byte = 0;
             if (position_ < bytes_.size())

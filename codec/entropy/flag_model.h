@@ -27,8 +27,9 @@ inline constexpr std::array<std::uint16_t, kFlagClasses - 1> kClassBound{
     4, 8, 16, 31, 51, 82, 135, 205, 307, 451, 655, 901, 1229, 1597};
 
 namespace detail {
-inline constexpr std::array<std::uint8_t, 2049> kClassOf = [] {
-    std::array<std::uint8_t, 2049> of{};
+// By the chance of a miss in 1/4096.
+inline constexpr std::array<std::uint8_t, 2048> kClassOf = [] {
+    std::array<std::uint8_t, 2048> of{};
     for (unsigned p = 0; p < of.size(); ++p)
         for (unsigned i = kClassBound.size(); i-- > 0;)
             if (p <= kClassBound[i]) of[p] = static_cast<std::uint8_t>(kFlagClasses - 1 - i);
@@ -54,14 +55,13 @@ class FlagModel {
   public:
     FlagModel() = default;
     // As if `seen` flags had come already, of which `chance` / 65536 said yes.
-    constexpr FlagModel(std::uint16_t chance, std::uint16_t seen)
-        : fast_(std::uint32_t{chance} << 6), slow_(fast_), seen_(seen) {}
-
-    bool likely() const { return chance() >= 32768; }
-    int flag_class() const {
-        const unsigned c = chance();
-        return detail::kClassOf[(c >= 32768 ? 65535u - c : c) >> 4];
+    FlagModel(std::uint16_t chance, std::uint16_t seen)
+        : fast_(std::uint32_t{chance} << 6), slow_(fast_), seen_(seen) {
+        classify();
     }
+
+    bool likely() const { return likely_; }
+    int flag_class() const { return class_; }
     // Bits that an ideal coder would take for the flag. For reports, never for decisions.
     double cost(bool yes) const {
         const unsigned c = chance();
@@ -72,7 +72,8 @@ class FlagModel {
         const std::uint32_t rate = detail::kRates.of[seen_];
         slow_ += step(goal, slow_, rate);
         fast_ += step(goal, fast_, std::max(rate, kFastRate));
-        seen_ += seen_ + 1u < detail::kRates.of.size();
+        seen_ = static_cast<std::uint16_t>(seen_ + (seen_ + 1u < detail::kRates.of.size()));
+        classify();
     }
 
   private:
@@ -86,9 +87,17 @@ class FlagModel {
         return static_cast<std::uint32_t>(way * static_cast<std::int64_t>(rate) >> 16);
     }
     unsigned chance() const { return (fast_ + slow_) >> 7; }  // in 1/65536
+    // Once a flag has come, not when the next is asked for: that waits for it.
+    void classify() {
+        const unsigned c = chance() >> 4;
+        class_ = detail::kClassOf[std::min(c, 4095 - c)];
+        likely_ = c >= 2048;
+    }
 
     std::uint32_t fast_ = kCertain / 2 + 1, slow_ = kCertain / 2 + 1;
-    std::uint32_t seen_ = 0;
+    std::uint16_t seen_ = 0;
+    std::uint8_t class_ = 0;
+    bool likely_ = true;
 };
 
 }  // namespace ravel
