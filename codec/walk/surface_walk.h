@@ -18,6 +18,7 @@
 #pragma once
 
 #include "walk/angle.h"
+#include "walk/surface_stencil.h"
 #include "walk/walk.h"
 
 namespace ravel {
@@ -273,7 +274,8 @@ class SurfaceWalk {
             return place_corners(base, n, right_end, left_end, after, before, first_is_new,
                                  code_new);
         // One new corner between two new sides: by far the most frequent case.
-        if (!add_vertex(side + 1, stencil_for(base, n, right_end + 1, right_end, left_end)))
+        if (!add_vertex(side + 1,
+                        surface_stencil(walked_, base, n, right_end + 1, right_end, left_end)))
             return false;
         near_border_end_ = false;
         make_front(side, kNone, false, true);
@@ -312,7 +314,8 @@ class SurfaceWalk {
             }
             if (i == right_end + 1 ? first_is_new : code_new(i)) {
                 fresh_[i] = 1;
-                if (!add_vertex(c, stencil_for(base, n, i, right_end, left_end))) return false;
+                if (!add_vertex(c, surface_stencil(walked_, base, n, i, right_end, left_end)))
+                    return false;
                 continue;
             }
             const Id front = code_old(after, before, i);
@@ -385,55 +388,6 @@ class SurfaceWalk {
         // Facets that are no longer on the front bound no gap.
         if (state_[front] == gone || state_[prev_[front]] == gone) return kNone;
         return front;
-    }
-
-    // The vertices beyond both ends of a visited cell's side (front facet), or none.
-    struct Beyond {
-        Id start = kNone, end = kNone;  // of the side as the new cell runs along it
-    };
-    Beyond beyond(Id facet) const {
-        const Id across = walked_.next_in_cell(walked_.next_in_cell(facet));
-        return {walked_.vertex[across], walked_.vertex[walked_.prev_in_cell(facet)]};
-    }
-    // One cell further, where the cell is a quad that was entered or zipped on the far side too.
-    Beyond far_beyond(Id facet) const {
-        if (walked_.degree(walked_.cell_of(facet)) != 4) return {};
-        const Id opposite = walked_.next_in_cell(walked_.next_in_cell(facet));
-        const Id twin = walked_.twin[opposite];
-        return twin == kNone ? Beyond{} : beyond(twin);
-    }
-
-    Stencil stencil_for(Id base, Id n, Id i, Id right_end, Id left_end) const {
-        const auto& vertex = walked_.vertex;
-        const Id a = vertex[base], b = vertex[base + 1];
-        const Id g = walked_.twin[base];
-        const Beyond u = beyond(g);
-        if (n == 3) return stencil_of(Configuration::triangle, {a, b, u.start, u.end});
-        if (n == 4) {
-            const Beyond w = far_beyond(g);
-            if (right_end == 2) {  // side 1 zipped: corner 3 is new
-                const Id t = walked_.twin[base + 1];
-                const Beyond v = beyond(t), x = far_beyond(t);
-                return stencil_of(Configuration::quad_corner,
-                                  {a, vertex[base + 2], b, u.start, u.end, w.start, w.end, v.end,
-                                   v.start, x.end, x.start});
-            }
-            if (left_end == 3) {  // side 3 zipped: corner 2 is new; the mirror image
-                const Id t = walked_.twin[base + 3];
-                const Beyond v = beyond(t), x = far_beyond(t);
-                return stencil_of(Configuration::quad_corner,
-                                  {b, vertex[base + 3], a, u.end, u.start, w.end, w.start, v.start,
-                                   v.end, x.start, x.end});
-            }
-            if (i == 2)
-                return stencil_of(Configuration::quad_third,
-                                  {b, a, u.end, u.start, w.end, w.start});
-            return stencil_of(Configuration::quad_fourth,
-                              {a, vertex[base + 2], b, u.start, u.end, w.start, w.end});
-        }
-        const Id z = i + 1 < n ? vertex[base + i + 1] : a;
-        return stencil_of(Configuration::polygon, {vertex[base + i - 1], vertex[base + i - 2],
-                                                   i >= 3 ? vertex[base + i - 3] : u.start, z});
     }
 
     Driver& driver_;
