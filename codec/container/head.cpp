@@ -152,7 +152,8 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     ByteWriter out;
     out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) |
                                      (b.has_copies ? 4 : 0) | (b.mirrored ? 8 : 0) |
-                                     (b.wants_mending ? 16 : 0) | (b.has_edge_points ? 32 : 0)));
+                                     (b.wants_mending ? 16 : 0) | (b.has_edge_points ? 32 : 0) |
+                                     (b.leaders_move ? 64 : 0)));
     out.varint(b.cells);
     if (kind == CellKind::polygon) {
         out.varint(b.uniform_degree);
@@ -183,9 +184,11 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.mirrored = (flags & 8) != 0;
     b.wants_mending = (flags & 16) != 0;
     b.has_edge_points = (flags & 32) != 0;
+    b.leaders_move = (flags & 64) != 0;
     b.cells = in.varint();
     constexpr Index kMost = 0xFFFFFFFEu;
-    if (flags > 63 || ((b.mirrored || b.has_edge_points) && kind != CellKind::tet) ||
+    if (flags > 127 ||
+        ((b.mirrored || b.has_edge_points || b.leaders_move) && kind != CellKind::tet) ||
         b.cells >= (kind == CellKind::tet ? kMostTets : kMost))
         return bad("a block with more cells than a block may have, or flags of another version");
     if (kind == CellKind::polygon) {

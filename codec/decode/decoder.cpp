@@ -93,6 +93,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     Result<PositionFormat> format = read_position_format(in, file.head);
     if (!format) return format.error();
     format->mirrored = block.mirrored;
+    format->leaders_move = block.leaders_move;
     WalkLimits limits;
     limits.cells = static_cast<Id>(block.cells);
     limits.corners = static_cast<Id>(block.corners);
@@ -103,6 +104,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.shape_step = static_cast<double>(block.shape_step);
+    limits.leaders_move = block.leaders_move;
     // A flag costs at least 1/1386 bit; a vertex asks for one at least.
     const std::uint64_t flags =
         (std::uint64_t{codes.size()} + position_bytes.size() + 16) * 8 * 1386;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "encode/shape_step.h"
+#include "encode/leader_plan.h"
 #include "entropy/priors.h"
 #include "walk/priors.h"
 
@@ -99,8 +99,8 @@ CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& p
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.mirrored = positions.format.mirrored = block.mirrored;
-    block.shape_step = choose_shape_step(complex, plan);
-    limits.shape_step = static_cast<double>(block.shape_step);
+    choose_leaders(complex, plan);
+    positions.format.leaders_move = block.leaders_move;
     return plan;
 }
 

@@ -281,7 +281,7 @@ Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkReco
         offer();
     }
     // Pairs may be known where single levels tell nothing.
-    if (may_have_pairs) {
+    if (may_have_pairs && (kept.level_bits > 0 || vertices < kLarge)) {
         if (kept.level_bits == 0) plan.format.level_bits = plan.format.cube_bits;
         plan.format.has_levels = plan.format.has_pairs = true;
         offer(kSlow);

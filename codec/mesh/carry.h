@@ -19,14 +19,23 @@ inline Sides sides_of(const Frame& frame) {
     return {minus(frame[1], frame[0]), minus(frame[2], frame[0]), minus(frame[3], frame[0])};
 }
 
-// The affine map that takes the corners of `from` to those of `to` takes `apex` to what is
-// returned: exact where meshes are moved, turned or stretched evenly. Where `from` is flat, or the
-// map takes the apex farther from where a mere move has it than `to` is long, that move it is.
-inline Point3 carried(const Point3& apex, const Frame& from, const Frame& to) {
+// Where the apex comes with the frame. If it `maps`, by the affine map that takes the corners of
+// `from` to those of `to`: exact where meshes are turned or stretched evenly. Where `from` is flat,
+// or the map takes the apex farther from where a move of the first corner has it than `to` is long,
+// by that move. If not, by the move of the middle of the gate, which is surer where all corners are
+// a little astray.
+inline Point3 carried(const Point3& apex, const Frame& from, const Frame& to, bool maps) {
     const Point3 way = minus(apex, from[0]);
     const Point3 moved{to[0][0] + way[0], to[0][1] + way[1], to[0][2] + way[2]};
     const Sides u = sides_of(from), v = sides_of(to);
     if (u.a == v.a && u.b == v.b && u.c == v.c) return moved;
+    if (!maps) {
+        Point3 by;
+        for (std::size_t k = 0; k < 3; ++k)
+            by[k] = apex[k] +
+                    ((to[0][k] + to[1][k] + to[2][k]) - (from[0][k] + from[1][k] + from[2][k])) / 3;
+        return by;
+    }
     const Point3 bc = cross(u.b, u.c), ca = cross(u.c, u.a), ab = cross(u.a, u.b);
     const double volume = dot(u.a, bc);
     if (!(std::abs(volume) > 0)) return moved;

@@ -31,7 +31,7 @@ class PositionCodes {
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
         : coder_(coder),
           format_(format),
-          predictor_(format.weights, format.mirrored),
+          predictor_(format.weights, format.mirrored, format.leaders_move),
           levels_(coder, format.has_levels ? format.level_bits : 0, format.has_pairs, vertices),
           rest_(coder, format.numbers,
                 !format.has_escapes ? 0

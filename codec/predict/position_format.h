@@ -17,9 +17,10 @@ namespace ravel {
 
 struct PositionFormat {
     NumberFormat numbers;
-    bool narrow = true;        // float32
-    bool has_escapes = false;  // some coordinates are told bit for bit
-    bool mirrored = false;     // tets, most of which are inside out
+    bool narrow = true;         // float32
+    bool has_escapes = false;   // some coordinates are told bit for bit
+    bool mirrored = false;      // tets, most of which are inside out
+    bool leaders_move = false;  // see carried()
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
     int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0

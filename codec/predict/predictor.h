@@ -158,8 +158,8 @@ inline void border_features(const std::array<Point3, kStencilSize>& p, Features&
     f.feature[4] = minus(p[3], f.base);
 }
 
-inline Point3 guess_by_leader(const std::array<Point3, kStencilSize>& p) {
-    return carried(p[11], {p[7], p[8], p[9], p[10]}, {p[0], p[1], p[2], p[3]});
+inline Point3 guess_by_leader(const std::array<Point3, kStencilSize>& p, bool maps) {
+    return carried(p[11], {p[7], p[8], p[9], p[10]}, {p[0], p[1], p[2], p[3]}, maps);
 }
 
 // Of tet and border.
@@ -197,7 +197,8 @@ inline Features features_of(const Stencil& stencil, const std::vector<Point3>& v
 // the order of the stencil; factors are integers.
 class Predictor {
   public:
-    Predictor(const Weights& weights, bool mirrored) : weights_(weights), mirrored_(mirrored) {
+    Predictor(const Weights& weights, bool mirrored, bool leaders_move = false)
+        : weights_(weights), mirrored_(mirrored), leaders_move_(leaders_move) {
         for (auto& factors : known_) factors.fill({});
     }
 
@@ -206,7 +207,7 @@ class Predictor {
             stencil.configuration == Configuration::border)
             return guess_by_features(stencil, values);
         if (stencil.configuration == Configuration::led)
-            return detail::guess_by_leader(detail::points_of(stencil, values));
+            return detail::guess_by_leader(detail::points_of(stencil, values), !leaders_move_);
         if (stencil.configuration == Configuration::edge)
             return detail::times(detail::plus(values[stencil.at[0]], values[stencil.at[1]]), 0.5);
         Factors& factors =
@@ -261,7 +262,7 @@ class Predictor {
     }
 
     Weights weights_;
-    bool mirrored_;
+    bool mirrored_, leaders_move_;
     std::array<std::array<Factors, kVariants>, kSumConfigurations> known_;
 };
 

@@ -65,7 +65,7 @@ class GateShapes {
         std::uint64_t shape = 0;
     };
     // The entry of a shape, from now on this gate's; `leader` becomes the gate that had it.
-    // `facet` and `corner` are those of the gate. Constant time.
+    // `own` is the gate as it will lead others. Constant time.
     template <class Place>
     Last& enter(const std::array<Id, 3>& gate, Id behind, const Leader& own, Leader& leader,
                 const Place& place) {

@@ -1,5 +1,5 @@
 // Gates that lead others. Where tets repeat, the apex beyond a gate lies as it lay beyond an
-// earlier gate like it, its leader, carried over by the map between the tets before both. A cell
+// earlier gate like it, its leader, carried over with the tet before. A cell
 // that was told by its leader is like the cell that the leader led to, and so its gates have theirs
 // there; a gate whose cell is like none is led by the last of its shape.
 #pragma once
@@ -20,7 +20,9 @@ namespace ravel {
 class Leaders {
   public:
     Leaders(const WalkLimits& limits, std::size_t vertices)
-        : shapes_(limits.shape_step, vertices), square_(limits.grid_side * limits.grid_side) {}
+        : shapes_(limits.shape_step, vertices),
+          square_(limits.grid_side * limits.grid_side),
+          maps_(!limits.leaders_move) {}
 
     void reserve(std::size_t corners) { like_.reserve(corners); }
 
@@ -50,7 +52,7 @@ class Leaders {
         const Frame from{place(vertex_[0]), place(vertex_[1]), place(vertex_[2]),
                          place(vertex_[3])};
         const Frame to{place(gate[0]), place(gate[1]), place(gate[2]), place(behind)};
-        expected_ = carried(place(vertex_[4]), from, to);
+        expected_ = carried(place(vertex_[4]), from, to, maps_);
         mismatch_ = class_of(mismatch(from, to));
         return true;
     }
@@ -90,6 +92,7 @@ class Leaders {
 
     GateShapes shapes_;
     double square_;         // of the side of the grid's cubes
+    bool maps_;             // see carried()
     std::vector<Id> like_;  // per corner of the walk, or kNone
     GateShapes::Last* last_ = nullptr;
     Leader leader_;

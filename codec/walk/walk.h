@@ -81,6 +81,7 @@ struct WalkLimits {
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
     bool mirrored = false;
     double shape_step = 0;  // tets: lengths that tell shapes of gates apart (see GateShapes); or 0
+    bool leaders_move = false;      // tets: what leaders tell is moved, not mapped (see Leaders)
     std::size_t plausible = kNone;  // no more elements than this are reserved ahead
 };
 

@@ -165,6 +165,7 @@ def make_file(seed, rides=False):
     points = H - random.choice((0, 0, 1, H // 3)) if p.level_bits else H
     block = SimpleNamespace(
         has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),
+        leaders_move=head.tets and coin(0.3),
         edge_points=edge_points, cells=2**31, corners=2**31, vertices=points, unused_points=0, uniform_degree=4)
     if head.tets:
         block.grid_side = random.choice((1, 1, 2, 5, 30, 1000, 2**52))
@@ -204,7 +205,8 @@ def make_file(seed, rides=False):
     riding = coins_riding.make_some(head, block, walk) if rides else coins_riding.nothing()
     if not riding:
         return None
-    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3 | block.edge_points << 5
+    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
+    flags |= block.edge_points << 5 | block.leaders_move << 6
     fields = [block.cells]
     if not head.tets:
         fields += [block.uniform_degree] if block.uniform_degree else [0, len(walk.vertex)]

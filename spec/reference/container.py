@@ -151,16 +151,18 @@ def read_block(data, tets):
     most = 2**32 - 2
     bytes = Bytes(data)
     flags = bytes.u8()
-    require(flags < 64, "bits 6-7 of block.flags")
+    require(flags < 128, "bit 7 of block.flags")
     b = SimpleNamespace(
         has_border=bool(flags & 1),
         has_flips=bool(flags & 2),
         has_copies=bool(flags & 4),
         mirrored=bool(flags & 8),
         edge_points=bool(flags & 32),
+        leaders_move=bool(flags & 64),
     )
     require(tets or not b.mirrored, "mirrored polygons")
     require(tets or not b.edge_points, "edge_points of polygons")
+    require(tets or not b.leaders_move, "leaders_move of polygons")
     b.cells = bytes.varint()
     require(b.cells < (357913941 if tets else most), "cells")
     if tets:

@@ -40,7 +40,7 @@ ROWS = {
 }
 
 
-def guess(configuration, stencil, value, weights, mirrored):
+def guess(configuration, stencil, value, weights, mirrored, leaders_move):
     """g on each axis, but for `edge`; `stencil` has 12 places, `value` the values of the vertices."""
     if configuration == "tet":
         return _guess_tet([value[v] for v in stencil[:7]], weights, mirrored)
@@ -48,7 +48,7 @@ def guess(configuration, stencil, value, weights, mirrored):
         return _guess_border([value[v] for v in stencil[:4]], weights)
     if configuration == "led":
         p = [value[v] for v in stencil]
-        return carried(p[11], p[7:11], p[:4])
+        return carried(p[11], p[7:11], p[:4], leaders_move)
     total = [0] * PLACES
     for row, w in zip(ROWS[configuration], [4096] + weights):
         if any(factor != 0 and stencil[i] == NONE for i, factor in enumerate(row)):

@@ -161,7 +161,8 @@ class Positions:
             g = tuple((x + y) * 0.5 for x, y in zip(a, b))
         else:
             g = guesses.guess(
-                configuration, stencil, self.value, self.head.weights.get(configuration), self.block.mirrored)
+                configuration, stencil, self.value, self.head.weights.get(configuration),
+                self.block.mirrored, self.block.leaders_move)
         g = tuple(clamp(x, -float(self.M), float(self.M)) for x in g)
         return tuple(to_24_digits(x) for x in g) if configuration == "edge" and self.rounds else g
 

@@ -77,7 +77,7 @@ class Gate:
         walk, shapes = self.walk, self.shapes
         a = [walk.place(v) for v in self.led[:4]]
         b = [walk.place(v) for v in (*self.corners, walk.vertex[self.gate])]
-        u = self.nearest(carried(walk.place(self.led[4]), a, b))
+        u = self.nearest(carried(walk.place(self.led[4]), a, b, walk.block.leaders_move))
         misses = 8 + shapes.missed_on % 8 if self.goes_on else self.slot.missed % 8
         self.told = walk.flag("kLed", misses, shapes.missed_all % 4, u == NONE, self.mismatch(a, b))
         shapes.missed_all = self.with_answer(shapes.missed_all)

@@ -63,7 +63,12 @@ TEST_CASE("random codes under larger counts lead to an error or a mesh") {
             b.points = b.has_copies ? random.below(b.vertices + 1) : b.vertices;
             b.has_flips = random.one_in(3);
             b.has_border = random.one_in(2);
-            b.mirrored = v.kind == CellKind::tet && random.one_in(2);
+            if (v.kind == CellKind::tet) {
+                b.mirrored = random.one_in(2);
+                b.grid_side = 1 + random.below(2000);
+                b.shape_step = random.one_in(3) ? 0 : 1 + random.below(2000);
+                b.leaders_move = random.one_in(2);
+            }
             b.unused_points = random.below(3);
             b.components = std::min<Index>(1 + random.below(5), b.cells);
             b.links = random.below(b.corners + 1);

@@ -75,6 +75,12 @@ TEST_CASE("a ball of cubes costs less than one whose points are astray") {
     CHECK(even.bits_per_cell < 0.6 * rough.bits_per_cell);
 }
 
+TEST_CASE("cubes whose points are astray still lead each other") {
+    // Without leaders 0.7 to 1 bit a tet.
+    CHECK(cost_of(made("tets:box=14,jitter=0.05"), 14).connectivity < 0.25);
+    CHECK(cost_of(made("tets:box=14,jitter=0.2,five"), 14).connectivity < 0.35);
+}
+
 TEST_CASE("rough tets pay nothing for leaders that some shapes might have") {
     // Half of it repeats, half does not.
     Mesh mesh = made("tets:box=20x8x8,jitter=0.001,double");

@@ -62,6 +62,7 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
     PositionFormat format;
     format.narrow = head.position_scalar == Scalar::f32;
     format.mirrored = block.mirrored;
+    format.leaders_move = block.leaders_move;
     const unsigned flags = f.u8("flags"), fitted = f.u8("fitted");
     format.has_escapes = (flags & 4) != 0;
     format.numbers.has_minus_zero = (flags & 8) != 0;

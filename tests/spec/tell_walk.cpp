@@ -266,6 +266,7 @@ std::string tell_walk(const Head& head, const BlockHead& block, const Bytes& con
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.mirrored = block.mirrored;
+    limits.leaders_move = block.leaders_move;
     limits.shape_step = static_cast<double>(block.shape_step);
     limits.plausible = 1 << 20;
     TraceDriver driver(codes, positions, block, tets, telling);

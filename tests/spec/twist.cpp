@@ -191,6 +191,7 @@ Bytes with_twisted_walk(const Bytes& file, const Twist& twist) {
     limits.grid_count = o.block.grid_count;
     limits.shape_step = static_cast<double>(o.block.shape_step);
     limits.mirrored = o.block.mirrored;
+    limits.leaders_move = o.block.leaders_move;
     limits.plausible = 1 << 20;
     if (o.head.kind == CellKind::tet ? goes_through<TetWalk<TwistDriver>>(driver, limits)
                                      : goes_through<SurfaceWalk<TwistDriver>>(driver, limits))

@@ -163,6 +163,8 @@ std::vector<ValidFile> valid_files() {
     add_made("bent", "cubes that are cut alike, bent: what leaders tell is carried over",
              "tets:box=7x3x3,bend=60,twist=20", bits(12));
     add_made("swept", "the same, bent alone: pairs of levels", "tets:box=7x3x3,bend=60", bits(12));
+    add_made("astray", "cubes that are cut alike, a little astray: what leaders tell is moved",
+             "tets:box=6x5x5,jitter=0.1", bits(12));
     add_made("ball", "tets of a ball, lossless", "tets:ball=2,jitter=0.1");
     add_made("shell", "tets with a hole, on a grid", "tets:shell=3,jitter=0.1", bits(10));
     add_made("many-tets", "fitted weights", "tets:ball=6,jitter=0.2,seed=3", bits(14));

@@ -43,19 +43,21 @@ TEST_CASE("an apex goes with the map that takes one tet to the other") {
             map.row[k][k] += 1;
             map.shift[k] = far(random);
         }
-        CHECK(distance(carried(kApex, kTet, image(map, kTet)), map(kApex)) < 1e-9);
+        CHECK(distance(carried(kApex, kTet, image(map, kTet), true), map(kApex)) < 1e-9);
     }
 }
 
 TEST_CASE("a tet that is turned takes its apex along") {
     const Affine quarter{{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}, {5, 5, 5}};
-    CHECK(distance(carried(kApex, kTet, image(quarter, kTet)), quarter(kApex)) < 1e-9);
+    CHECK(distance(carried(kApex, kTet, image(quarter, kTet), true), quarter(kApex)) < 1e-9);
 }
 
 TEST_CASE("a move is exact, whatever the numbers") {
     const Affine move{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {4096, -0.125, 1e6}};
-    CHECK(carried(kApex, kTet, image(move, kTet)) == move(kApex));
-    CHECK(carried({0.1, 0.7, 1e-9}, kTet, kTet) == Point3{0.1, 0.7, 1e-9});
+    for (const bool maps : {false, true}) {
+        CHECK(carried(kApex, kTet, image(move, kTet), maps) == move(kApex));
+        CHECK(carried({0.1, 0.7, 1e-9}, kTet, kTet, maps) == Point3{0.1, 0.7, 1e-9});
+    }
 }
 
 TEST_CASE("where the map makes no sense the apex is moved") {
@@ -63,11 +65,19 @@ TEST_CASE("where the map makes no sense the apex is moved") {
     const Point3 moved{104, 3, 8};
     Frame flat = kTet;
     flat[3] = {10, 8, 1};  // in the plane of the other three
-    CHECK(carried(kApex, flat, to) == moved);
+    CHECK(carried(kApex, flat, to, true) == moved);
     Frame sliver = flat;
     sliver[3][2] += 1e-6;
-    CHECK(carried(kApex, sliver, to) == moved);
-    CHECK(carried(kApex, {}, to) == moved);
+    CHECK(carried(kApex, sliver, to, true) == moved);
+    CHECK(carried(kApex, {}, to, true) == moved);
+}
+
+TEST_CASE("an apex that is not mapped goes with the middle of the gate") {
+    Frame to = kTet;
+    to[0][0] += 3;  // the middle moves by 1
+    to[3] = {0, 0, -20};
+    CHECK(carried(kApex, kTet, to, false) == Point3{5, 3, 8});
+    CHECK(carried(kApex, {}, {}, false) == kApex);
 }
 
 TEST_CASE("mismatch is how far an edge ends from its like, squared") {

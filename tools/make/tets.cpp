@@ -98,13 +98,14 @@ void round_off(Builder& builder, double side) {
     }
 }
 
-// A box's long way, along x, becomes an arc round an axis along z; its near side keeps its length.
+// What runs along x becomes an arc round an axis along z; where y is 0 it keeps its length. What
+// reaches beyond the axis folds over.
 void bend(Builder& builder, double length, double turns) {
-    const double near = length / (turns * 6.283185307179586);
+    const double radius_at_0 = length / (turns * 6.283185307179586);
     for (std::size_t i = 0; i < builder.coordinates.size(); i += 3) {
         double* const p = &builder.coordinates[i];
         const CirclePoint at = circle_point(p[0] / length * turns);
-        const double radius = near + p[1];
+        const double radius = radius_at_0 + p[1];
         p[0] = radius * at.sine;
         p[1] = radius * at.cosine;
     }
@@ -126,8 +127,6 @@ void twist(Builder& builder, const Sizes& size, double turns) {
 
 Builder make_tets(Recipe& recipe) {
     const bool five = recipe.has("five");
-    const double bent = recipe.number("bend", 0, 0, 350) / 360,
-                 twisted = recipe.number("twist", 0, 0, 360) / 360;
     const double jitter = recipe.number("jitter", 0, 0, 1);
     Random random{recipe.integer("seed", 1, 0, ~std::uint64_t{0})};
     const auto everywhere = [](std::uint64_t, std::uint64_t, std::uint64_t) { return true; };
@@ -136,6 +135,8 @@ Builder make_tets(Recipe& recipe) {
     double scale = 1;
     if (recipe.has("box")) {
         recipe.sizes("box", size.data(), 3, 400);
+        const double bent = recipe.number("bend", 0, 0, 350) / 360,
+                     twisted = recipe.number("twist", 0, 0, 360) / 360;
         builder = cubes(size, five, everywhere);
         if (twisted > 0) twist(builder, size, twisted);
         if (bent > 0) bend(builder, static_cast<double>(size[0]), bent);

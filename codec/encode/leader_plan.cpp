@@ -1,4 +1,4 @@
-#include "encode/shape_step.h"
+#include "encode/leader_plan.h"
 
 #include <algorithm>
 #include <bit>
@@ -92,9 +92,10 @@ std::vector<Index> likely_steps(const Complex& complex, const std::vector<Point3
 }
 
 // About what the first cells of the walk and the positions of their vertices take, in bits.
-double bits_with(const Complex& complex, CoursePlan plan, Index step) {
+double bits_with(const Complex& complex, CoursePlan plan, Index step, bool move) {
     constexpr Id kCells = 16384;
     plan.limits.shape_step = static_cast<double>(step);
+    plan.limits.leaders_move = move;
     plan.limits.cells = std::min(plan.limits.cells, kCells);
     WalkCodes codes{{}, walk_models(complex.kind)};
     const WalkRecord record = run_course(complex, plan, codes).record;
@@ -105,7 +106,7 @@ double bits_with(const Complex& complex, CoursePlan plan, Index step) {
         skip.push_back(record.copy_of[v] != kNone);
     }
     Predictor predictor(fit_weights(record.stencils, values, skip, plan.limits.mirrored, true),
-                        plan.limits.mirrored);
+                        plan.limits.mirrored, move);
     double bits = codes.out.ideal_bits();
     for (std::size_t v = 0; v < values.size(); ++v) {
         if (skip[v]) continue;
@@ -120,17 +121,24 @@ double bits_with(const Complex& complex, CoursePlan plan, Index step) {
 
 }  // namespace
 
-Index choose_shape_step(const Complex& complex, const CoursePlan& plan) {
+void choose_leaders(const Complex& complex, CoursePlan& plan) {
     constexpr double kWorth = 0.99;  // of the bits without
     const std::vector<Index> steps = likely_steps(complex, plan.walk.places, plan.block.grid_side);
-    if (steps.empty()) return 0;
-    double least = kWorth * bits_with(complex, plan, 0);
+    if (steps.empty()) return;
+    double least = kWorth * bits_with(complex, plan, 0, false);
     Index best = 0;
-    for (const Index step : steps) {
-        const double bits = bits_with(complex, plan, step);
-        if (bits < least) least = bits, best = step;
-    }
-    return best;
+    const auto offer = [&](Index step, bool move) {
+        const double bits = bits_with(complex, plan, step, move);
+        if (!(bits < least)) return;
+        least = bits;
+        best = step;
+        plan.block.leaders_move = move;
+    };
+    for (const Index step : steps) offer(step, false);
+    offer(best > 0 ? best : steps.front(), true);
+    plan.block.shape_step = best;
+    plan.limits.shape_step = static_cast<double>(best);
+    plan.limits.leaders_move = plan.block.leaders_move;
 }
 
 }  // namespace ravel
