@@ -53,6 +53,24 @@ double led_share(std::vector<Seen>& seen) {
     return seen.empty() ? 0 : led / static_cast<double>(seen.size());
 }
 
+// Do most points have one of a few numbers of tets around them, as those of lattices do, however
+// their points are astray? The odds that two points have the same number.
+bool is_regular(const Complex& complex, std::size_t points) {
+    constexpr double kRegular = 0.2;  // Delaunay meshes 0.06
+    std::vector<std::uint32_t> around(points, 0);
+    for (const Id v : complex.vertex) ++around[complex.point[v]];
+    std::array<double, 256> count{};
+    double all = 0;
+    for (const std::uint32_t n : around) {
+        if (n == 0) continue;
+        ++count[std::min<std::size_t>(n, count.size() - 1)];
+        ++all;
+    }
+    double same = 0;
+    for (const double n : count) same += n * n;
+    return same > kRegular * all * all;
+}
+
 // Steps that are worth a trial, none where hardly anything repeats. Lattices that are bent need
 // large ones; what repeats exactly, and is no lattice, small ones.
 std::vector<Index> likely_steps(const Complex& complex, const std::vector<Point3>& places,
@@ -78,7 +96,9 @@ std::vector<Index> likely_steps(const Complex& complex, const std::vector<Point3
         }
         return led_share(seen);
     };
-    if (share_with(std::max<Index>(grid_side / 2, 1)) < kSome) return {};
+    if (share_with(std::max<Index>(grid_side / 2, 1)) < kSome &&
+        !is_regular(complex, places.size()))
+        return {};
     std::vector<Index> steps{grid_side};
     double most = kMany;
     Index small = 0;

@@ -79,6 +79,8 @@ TEST_CASE("cubes whose points are astray still lead each other") {
     // Without leaders 0.7 to 1 bit a tet.
     CHECK(cost_of(made("tets:box=14,jitter=0.05"), 14).connectivity < 0.25);
     CHECK(cost_of(made("tets:box=14,jitter=0.2,five"), 14).connectivity < 0.35);
+    // Hardly two shapes are alike; but points have as many tets around as others.
+    CHECK(cost_of(made("tets:ball=16,jitter=0.2"), 14).connectivity < 1.65);
 }
 
 TEST_CASE("rough tets pay nothing for leaders that some shapes might have") {
