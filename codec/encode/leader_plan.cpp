@@ -1,6 +1,7 @@
 #include "encode/leader_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <compare>
@@ -53,8 +54,8 @@ double led_share(std::vector<Seen>& seen) {
     return seen.empty() ? 0 : led / static_cast<double>(seen.size());
 }
 
-// Do most points have one of a few numbers of tets around them, as those of lattices do, however
-// their points are astray? The odds that two points have the same number.
+// Have most points one of a few numbers of tets around, as in lattices, however far they are
+// astray? What counts is how likely two points have the same number.
 bool is_regular(const Complex& complex, std::size_t points) {
     constexpr double kRegular = 0.2;  // Delaunay meshes 0.06
     std::vector<std::uint32_t> around(points, 0);
@@ -134,7 +135,7 @@ double bits_with(const Complex& complex, CoursePlan plan, Index step, bool move)
         const Point3 off = minus(values[v], predictor.guess(stencil, values));
         for (const double x : off)
             bits += static_cast<double>(
-                std::bit_width(static_cast<std::uint64_t>(std::min(std::abs(x) + 0.5, 0x1p60))));
+                std::bit_width(static_cast<std::uint64_t>(std::min(0x1p60, std::abs(x) + 0.5))));
     }
     return bits;
 }

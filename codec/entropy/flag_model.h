@@ -62,7 +62,8 @@ class FlagModel {
 
     bool likely() const { return likely_; }
     int flag_class() const { return class_; }
-    // Bits that an ideal coder would take for the flag. For reports, never for decisions.
+    // Bits that an ideal coder would take for the flag, the same on every machine. For reports, and
+    // for the encoder's trials; no decoder asks.
     double cost(bool yes) const {
         const unsigned c = chance();
         return kBitsOf[(yes ? c : 65535u - c) >> 5];

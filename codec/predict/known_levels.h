@@ -7,11 +7,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "mesh/complex.h"
-#include "mesh/point3.h"
+#include "predict/level_intervals.h"
 
 namespace ravel {
 
@@ -23,8 +22,7 @@ inline constexpr int kMostLevelBits = 52;
 class KnownLevels {
   public:
     KnownLevels(int bits, std::size_t vertices)
-        : scale_(std::ldexp(1.0, -bits)),
-          length_(std::ldexp(1.0, bits)),
+        : intervals_(bits),
           mask_(std::bit_ceil(std::clamp(vertices / 16, std::size_t{16}, std::size_t{1} << 20)) -
                 1),
           lists_(3 * (mask_ + 1)) {}
@@ -35,22 +33,13 @@ class KnownLevels {
         double distance = 0;
         std::size_t list = 0, place = 0;
     };
-    // The level nearest to x, less than half an interval away: in the interval of x, or the one
-    // beside if that may hold a nearer one.
+    // The level nearest to x, less than half an interval away.
     Near nearest(std::size_t axis, double x) const {
-        Near best;
-        best.distance = length_ / 2;
-        const double at = x * scale_;
-        const std::int64_t interval = whole_below(at);
-        const double behind = at - static_cast<double>(interval);
-        look(slot(axis, interval), x, best);
-        const bool low = behind < 0.5;
-        if (best.distance > (low ? behind : 1 - behind) * length_)
-            look(slot(axis, low ? interval - 1 : interval + 1), x, best);
-        return best;
+        return intervals_.nearest<Near>(
+            x, [&](std::int64_t i, Near& best) { look(slot(axis, i), x, best); });
     }
     void insert(std::size_t axis, double x, Id vertex) {
-        const std::size_t slot_of_x = slot(axis, whole_below(x * scale_));
+        const std::size_t slot_of_x = slot(axis, intervals_.of(x));
         List& list = lists_[slot_of_x];
         std::size_t place = 0;
         while (place < kPlaces && list.level[place] != x) ++place;
@@ -74,11 +63,7 @@ class KnownLevels {
   private:
     static constexpr std::size_t kPlaces = 8;
     struct List {
-        std::array<double, kPlaces> level = [] {
-            std::array<double, kPlaces> none;
-            none.fill(std::numeric_limits<double>::infinity());
-            return none;
-        }();
+        std::array<double, kPlaces> level = no_levels<kPlaces>();
         std::array<Id, kPlaces> vertex{};
         std::array<std::uint32_t, kPlaces> count{}, last{};  // last: the turn when it was had
         std::uint32_t turn = 0;
@@ -100,7 +85,7 @@ class KnownLevels {
         return 3 * (static_cast<std::size_t>(hash >> 32) & mask_) + axis;
     }
 
-    double scale_, length_;
+    LevelIntervals intervals_;
     std::size_t mask_;
     std::vector<List> lists_;
 };

@@ -8,11 +8,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "mesh/complex.h"
-#include "mesh/point3.h"
+#include "predict/level_intervals.h"
 
 namespace ravel {
 
@@ -22,8 +21,7 @@ namespace ravel {
 class LevelPairs {
   public:
     LevelPairs(int bits, std::size_t vertices)
-        : scale_(std::ldexp(1.0, -bits)),
-          length_(std::ldexp(1.0, bits)),
+        : intervals_(bits),
           mask_(std::bit_ceil(std::clamp(vertices / 4, std::size_t{16}, std::size_t{1} << 21)) - 1),
           lists_(2 * (mask_ + 1)) {}
 
@@ -33,22 +31,14 @@ class LevelPairs {
         double distance = 0;
     };
     // The level nearest to x on `axis`, beside `other` on the axis before, less than half an
-    // interval away: in the interval of x, or the one beside if that may hold a nearer one.
+    // interval away.
     Near nearest(std::size_t axis, double other, double x) const {
         const std::uint64_t key = key_of(other);
-        const double at = x * scale_;
-        const std::int64_t interval = whole_below(at);
-        const double behind = at - static_cast<double>(interval);
-        Near best;
-        best.distance = length_ / 2;
-        look(slot(axis, key, interval), x, best);
-        const bool low = behind < 0.5;
-        if (best.distance > (low ? behind : 1 - behind) * length_)
-            look(slot(axis, key, low ? interval - 1 : interval + 1), x, best);
-        return best;
+        return intervals_.nearest<Near>(
+            x, [&](std::int64_t i, Near& best) { look(slot(axis, key, i), x, best); });
     }
     void insert(std::size_t axis, double other, double x, Id vertex) {
-        List& list = lists_[slot(axis, key_of(other), whole_below(x * scale_))];
+        List& list = lists_[slot(axis, key_of(other), intervals_.of(x))];
         std::size_t place = 0;
         while (place < kPlaces - 1 && list.level[place] != x) ++place;
         if (list.level[place] == x) vertex = list.vertex[place];
@@ -63,11 +53,7 @@ class LevelPairs {
   private:
     static constexpr std::size_t kPlaces = 5;
     struct List {
-        std::array<double, kPlaces> level = [] {
-            std::array<double, kPlaces> none;
-            none.fill(std::numeric_limits<double>::infinity());
-            return none;
-        }();
+        std::array<double, kPlaces> level = no_levels<kPlaces>();
         std::array<Id, kPlaces> vertex{};
     };
 
@@ -89,7 +75,7 @@ class LevelPairs {
         return 2 * (static_cast<std::size_t>(hash >> 32) & mask_) + axis - 1;
     }
 
-    double scale_, length_;
+    LevelIntervals intervals_;
     std::size_t mask_;
     std::vector<List> lists_;
 };

@@ -1,5 +1,5 @@
-// Gates of one shape. Where tets repeat (cubes that are cut alike, lattices, layers of prisms) the
-// apex beyond a gate lies as it lay beyond the last gate of that shape, its leader.
+// Gates of one shape: where tets repeat (cubes that are cut alike, lattices, layers of prisms) the
+// last gate of a shape may lead the next (see Leaders).
 #pragma once
 
 #include <algorithm>

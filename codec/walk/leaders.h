@@ -1,7 +1,7 @@
 // Gates that lead others. Where tets repeat, the apex beyond a gate lies as it lay beyond an
-// earlier gate like it, its leader, carried over with the tet before. A cell
-// that was told by its leader is like the cell that the leader led to, and so its gates have theirs
-// there; a gate whose cell is like none is led by the last of its shape.
+// earlier gate like it, its leader, carried over with the tet before. A cell that was told by its
+// leader is like the cell that the leader led to, and so its gates have theirs there; a gate whose
+// cell is like none is led by the last of its shape.
 #pragma once
 
 #include <array>
