@@ -42,7 +42,7 @@ bool needs_stencils(const Head& head) {
 std::uint64_t memory_of(const FileSections& file, bool steps) {
     const BlockHead& b = file.block;
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
-    // Of tets, 32 bytes are for a front that hostile vertices crowd (see TetFront).
+    // Of tets, 32 bytes are for a front that hostile vertices crowd (see OpenTriangles).
     const std::uint64_t per_corner =
         (file.head.kind == CellKind::tet ? 100 : 52) + (order ? 24 : 0);
     const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
@@ -138,16 +138,16 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
         return corrupt(at, "the walk has not as many parts as announced");
     out.flipped = driver.flipped();
     stencils = driver.take_stencils();
-    std::vector<Id> vertex;  // per point
+    std::vector<Id> vertex;  // per point, where edges have points of their own
+    Id own_points = 0;
     out.point.resize(block.vertices);
     const std::vector<Id>& copy_of = driver.copy_of();
     for (Id v = 0; v < block.vertices; ++v) {
         const bool own = copy_of.empty() || copy_of[v] == kNone;
-        out.point[v] = own ? static_cast<Id>(vertex.size()) : out.point[copy_of[v]];
-        if (own) vertex.push_back(v);
+        out.point[v] = own ? own_points++ : out.point[copy_of[v]];
+        if (own && block.has_edge_points) vertex.push_back(v);
     }
-    if (vertex.size() != block.points)
-        return corrupt(at, "the points are not as many as announced");
+    if (own_points != block.points) return corrupt(at, "the points are not as many as announced");
     out.mesh.kind = file.head.kind;
     write_cells(out.walked, out.point, out.flipped, out.mesh);
     if (block.has_edge_points) edges = edge_points_of(out.mesh.corners, vertex);
@@ -238,8 +238,6 @@ Status read_walk(std::span<const std::byte> bytes, const DecodeOptions& options,
     status = decode_section(file, SectionId::names, budget, 72,
                             [&](ByteReader& in) { return read_names(in, mesh); });
     if (!status) return status;
-    out.cell.resize(mesh.cell_count());
-    for (Index c = 0; c < out.cell.size(); ++c) out.cell[c] = c;
     status = decode_section(file, SectionId::order, budget, 1, [&](ByteReader& in) -> Status {
         Result<Reorder> order = read_order(in, ground, turned, budget);
         if (!order) return order.error();
@@ -282,12 +280,13 @@ Result<std::vector<StripStep>> steps_of(const DecodedWalk& walk) {
     const StripReading strip = read_strip(walked);
     if (strip.links != walk.links)
         return Error{Code::corrupt, 0, "the strip has not as many links as announced"};
+    const auto mesh_cell = [&](Id c) -> Index { return walk.cell.empty() ? c : walk.cell[c]; };
     std::vector<StripStep> steps(walked.cell_count());
     for (Id c = 0; c < walked.cell_count(); ++c) {
         StripStep& step = steps[c];
-        step.cell = walk.cell[c];
+        step.cell = mesh_cell(c);
         if (walked.gate[c] == kNone) continue;
-        step.from = walk.cell[walked.cell_of(walked.gate[c])];
+        step.from = mesh_cell(walked.cell_of(walked.gate[c]));
         step.exit = local_facet(walk, walked.gate[c]);
         step.entry = local_facet(walk, walked.entry(c));
         step.link = strip.link[c] != 0;

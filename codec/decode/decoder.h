@@ -11,9 +11,10 @@ struct DecodedWalk {
     Walked walked;                      // cells in the order of the walk, with twins and gates
     std::vector<Id> point;              // vertex of the walk -> point in the order of the walk
     std::vector<std::uint8_t> flipped;  // cell of the walk; empty where none is
-    std::vector<Index> cell;            // cell of the walk -> cell of `mesh`
-    std::vector<std::uint32_t>
-        turn;  // cell of the walk -> see Reorder; empty unless the order is kept
+    // Per cell of the walk, empty unless the order is kept: the cell of `mesh`, and how it is
+    // turned (see Reorder).
+    std::vector<Index> cell;
+    std::vector<std::uint32_t> turn;
     bool wants_mending = false;
     Index links = 0;  // as announced
 };

@@ -77,17 +77,24 @@ class VertexIndex {
             for (std::size_t i = 0; i < steps[k]; ++i)
                 parts[k][i] = (static_cast<std::uint64_t>(low) + i) * kFactor[k];
         }
+        // The first of each cube that has any: none of them waits for what is found in another.
+        std::array<Id, 27> first;
+        std::size_t count = 0;
         for (std::size_t z = 0; z < steps[2]; ++z)
             for (std::size_t y = 0; y < steps[1]; ++y)
                 for (std::size_t x = 0; x < steps[0]; ++x) {
-                    Id v = heads_[slot(parts[0][x] ^ parts[1][y] ^ parts[2][z])];
-                    for (int looks = 0; v != ~Id{0} && looks < 12; ++looks, v = next_[v]) {
-                        const Point3& q = values[v];
-                        const double d =
-                            std::abs(q[0] - p[0]) + std::abs(q[1] - p[1]) + std::abs(q[2] - p[2]);
-                        if (d < best.distance) best = {v, d};
-                    }
+                    first[count] = heads_[slot(parts[0][x] ^ parts[1][y] ^ parts[2][z])];
+                    count += first[count] != ~Id{0};
                 }
+        for (std::size_t i = 0; i < count; ++i) {
+            Id v = first[i];
+            for (int looks = 0; v != ~Id{0} && looks < 12; ++looks, v = next_[v]) {
+                const Point3& q = values[v];
+                const double d =
+                    std::abs(q[0] - p[0]) + std::abs(q[1] - p[1]) + std::abs(q[2] - p[2]);
+                if (d < best.distance) best = {v, d};
+            }
+        }
         return best;
     }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -38,17 +39,21 @@ class Courses {
         if (seed && !in_seed_) course_ = 1, begin_ = v;
         in_seed_ = seed;
         course_ = course_ * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(stencil.configuration);
-        // Vertices of before the seed are no part of the course.
-        bool within = true;
-        for (const Id p : stencil.at) {
+        // Vertices of before the seed are no part of the course. The same as a product and a sum
+        // for each in turn, but none waits for the one before.
+        std::uint64_t ways = 0;
+        for (std::size_t i = 0; i < kStencilSize; ++i) {
+            const Id p = stencil.at[i];
             const bool known = p != kNone && p >= begin_;
-            course_ = course_ * 0xC2B2AE3D27D4EB4Fu + (known ? v - p : 0);
+            ways += (known ? v - p : 0) * kPowers[kStencilSize - 1 - i];
         }
+        course_ = course_ * kPowers[kStencilSize] + ways;
         course_ ^= course_ >> 29;
         fresh_ = true;
         Id leader = last_[slot()];
         if (prior != kNone && prior + 1 < v && hash_[prior + 1] == course_) leader = prior + 1;
         if (leader == kNone || hash_[leader] != course_) return kNone;
+        bool within = true;
         for (const Id p : stencil.at) within = within && (p == kNone || p >= v - leader);
         return within ? leader : kNone;
     }
@@ -59,6 +64,13 @@ class Courses {
     }
 
   private:
+    static constexpr auto kPowers = [] {
+        std::array<std::uint64_t, kStencilSize + 1> powers{1};
+        for (std::size_t i = 0; i < kStencilSize; ++i)
+            powers[i + 1] = powers[i] * 0xC2B2AE3D27D4EB4Fu;
+        return powers;
+    }();
+
     std::size_t slot() const {
         return static_cast<std::size_t>(course_ >> 32) & (last_.size() - 1);
     }

@@ -41,12 +41,12 @@ class KnownLevels {
     void insert(std::size_t axis, double x, Id vertex) {
         const std::size_t slot_of_x = slot(axis, intervals_.of(x));
         List& list = lists_[slot_of_x];
-        std::size_t place = 0;
-        while (place < kPlaces && list.level[place] != x) ++place;
+        std::size_t place = kPlaces;
+        for (std::size_t i = kPlaces; i-- > 0;) place = list.level[i] == x ? i : place;
         if (place == kPlaces) {
             place = 0;
             for (std::size_t i = 1; i < kPlaces; ++i)
-                if (list.last[i] < list.last[place]) place = i;
+                place = list.last[i] < list.last[place] ? i : place;
             list.level[place] = x;
             list.vertex[place] = vertex;
             list.count[place] = 0;
@@ -62,7 +62,7 @@ class KnownLevels {
 
   private:
     static constexpr std::size_t kPlaces = 8;
-    struct List {
+    struct alignas(64) List {
         std::array<double, kPlaces> level = no_levels<kPlaces>();
         std::array<Id, kPlaces> vertex{};
         std::array<std::uint32_t, kPlaces> count{}, last{};  // last: the turn when it was had

@@ -39,12 +39,14 @@ class LevelPairs {
     }
     void insert(std::size_t axis, double other, double x, Id vertex) {
         List& list = lists_[slot(axis, key_of(other), intervals_.of(x))];
-        std::size_t place = 0;
-        while (place < kPlaces - 1 && list.level[place] != x) ++place;
-        if (list.level[place] == x) vertex = list.vertex[place];
-        for (; place > 0; --place) {
-            list.level[place] = list.level[place - 1];
-            list.vertex[place] = list.vertex[place - 1];
+        // Where it is in the list, if at all, is anyone's guess, so nothing branches on it.
+        std::size_t place = kPlaces - 1;
+        for (std::size_t i = kPlaces; i-- > 0;) place = list.level[i] == x ? i : place;
+        vertex = list.level[place] == x ? list.vertex[place] : vertex;
+        for (std::size_t i = kPlaces - 1; i > 0; --i) {
+            const std::size_t from = i <= place ? i - 1 : i;
+            list.level[i] = list.level[from];
+            list.vertex[i] = list.vertex[from];
         }
         list.level[0] = x;
         list.vertex[0] = vertex;
@@ -52,17 +54,19 @@ class LevelPairs {
 
   private:
     static constexpr std::size_t kPlaces = 5;
-    struct List {
+    struct alignas(64) List {  // one line of a cache
         std::array<double, kPlaces> level = no_levels<kPlaces>();
         std::array<Id, kPlaces> vertex{};
     };
 
     void look(std::size_t slot, double x, Near& best) const {
         const List& list = lists_[slot];
-        for (std::size_t i = 0; i < kPlaces; ++i) {
-            const double d = std::abs(list.level[i] - x);
-            if (d < best.distance) best = {list.vertex[i], static_cast<std::uint32_t>(i), d};
-        }
+        std::array<double, kPlaces> d;
+        for (std::size_t i = 0; i < kPlaces; ++i) d[i] = std::abs(list.level[i] - x);
+        std::size_t place = 0;
+        for (std::size_t i = 1; i < kPlaces; ++i) place = d[i] < d[place] ? i : place;
+        if (d[place] < best.distance)
+            best = {list.vertex[place], static_cast<std::uint32_t>(place), d[place]};
     }
     // Zeros of either sign are one.
     static std::uint64_t key_of(double other) {

@@ -118,7 +118,8 @@ class SurfaceWalk {
         const Id cell = walked_.cell_count();
         walked_.gate.push_back(gate);
         corner_count_ = base + degree;
-        if (corner_count_ > state_.size()) grow(corner_count_ + kAhead);
+        if (corner_count_ > state_.size())
+            grow(std::min<std::size_t>(std::size_t{corner_count_} + kAhead, limits_.corners));
         if (!walked_.fours) {
             walked_.first.push_back(corner_count_);
             for (Id f = base; f < corner_count_; ++f) walked_.of[f] = cell;

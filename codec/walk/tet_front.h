@@ -1,8 +1,7 @@
 // The front of a walk over tets: a closed surface of triangles, the facets of visited tets that
 // lead to unvisited ones, and the borders met so far. Edge e of a triangle lies opposite its vertex
 // e; edges of neighbouring triangles are mates, and `fan` counts the visited tets between two
-// mates. A hash finds an open triangle by its vertices; where many crowd into one place of it, it
-// grows, or becomes another hash: no choice of vertices fits them all.
+// mates.
 //
 // Triangles that leave the front make room for new ones: what the walk touches stays small.
 #pragma once
@@ -12,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "walk/open_triangles.h"
 #include "walk/walk.h"
 
 namespace ravel {
@@ -98,44 +98,24 @@ class TetFront {
 
     // --- open triangles by their vertices; no two have the same --------------------------------
 
-    void insert(Id triangle) {
-        if (2 * (used_ + 1) > table_.size()) rehash(false);
-        while (!place(triangle)) rehash(true);
-        ++live_;
-    }
-    void erase(Id triangle) {
-        if (table_.empty()) return;
-        std::size_t i = home_of(hash_of(key_of(triangles_[triangle].vertex)));
-        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
-             ++probe, i = next(i))
-            if (table_[i].triangle == triangle) {
-                table_[i].triangle = kErased;
-                --live_;
-                return;
-            }
-    }
-    // The open triangle with the vertices of `triangle`, or kNone.
+    void insert(Id triangle) { open_.insert(triangle, VerticesOf{triangles_}); }
+    void erase(Id triangle) { open_.erase(triangle, triangles_[triangle].vertex); }
+    // The open triangle with the vertices of `triangle`, or kNone. Nearly always it is the one
+    // across the edge that was the gate's.
     Id find(Id triangle) const {
-        if (table_.empty()) return kNone;
-        const Key key = key_of(triangles_[triangle].vertex);
-        const std::uint64_t hash = hash_of(key);
-        std::size_t i = home_of(hash);
-        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
-             ++probe, i = next(i))
-            if (table_[i].print == print_of(hash) && table_[i].triangle != kErased &&
-                key_of(triangles_[table_[i].triangle].vertex) == key)
-                return table_[i].triangle;
-        return kNone;
+        const Triangle& t = triangles_[triangle];
+        const Id mate = t.mate[2];
+        const Triangle& beside = triangles_[mate >> 2];
+        if (beside.vertex[mate & 3] == t.vertex[2] && !beside.border) return mate >> 2;
+        return open_.find(t.vertex, VerticesOf{triangles_});
     }
-    // How many places the hash has, and how often it became another one.
-    std::size_t places() const { return table_.size(); }
-    std::uint64_t changes() const { return change_; }
+    const OpenTriangles& open() const { return open_; }
 
   private:
-    using Key = std::array<Id, 3>;
-    static constexpr Id kErased = kNone - 1;
-    static constexpr int kMostProbes = 48;
-
+    struct VerticesOf {
+        const std::vector<Triangle>& triangles;
+        const std::array<Id, 3>& operator()(Id t) const { return triangles[t].vertex; }
+    };
     static Id slot(Id triangle, Id edge) { return triangle << 2 | edge; }
     Id add(const std::array<Id, 3>& vertex, Id facet) {
         Id t = free_;
@@ -165,60 +145,9 @@ class TetFront {
         for (Id k = 0; k < 3; ++k) pair(slot(made[k], 0), slot(made[(k + 1) % 3], 1), 1);
     }
 
-    static Key key_of(const Key& v) {
-        const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
-        return {std::min(low, v[2]), std::max(low, std::min(high, v[2])), std::max(high, v[2])};
-    }
-    std::uint64_t hash_of(const Key& v) const {
-        std::uint64_t h = (v[0] + (change_ << 32)) * 0x9E3779B97F4A7C15u;
-        h = (h ^ (h >> 29) ^ v[1]) * 0xBF58476D1CE4E5B9u;
-        h = (h ^ (h >> 32) ^ v[2]) * 0x94D049BB133111EBu;
-        return h ^ (h >> 31);
-    }
-    std::size_t home_of(std::uint64_t hash) const { return hash & (table_.size() - 1); }
-    static std::uint32_t print_of(std::uint64_t hash) {
-        return static_cast<std::uint32_t>(hash >> 32);
-    }
-    std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
-    // False where all places near its own are taken.
-    bool place(Id triangle) {
-        const std::uint64_t hash = hash_of(key_of(triangles_[triangle].vertex));
-        std::size_t i = home_of(hash);
-        for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
-            if (table_[i].triangle >= kErased) {
-                if (table_[i].triangle == kNone) ++used_;
-                table_[i] = {triangle, print_of(hash)};
-                return true;
-            }
-        return false;
-    }
-    void rehash(bool crowded) {
-        std::vector<Place> old;
-        old.swap(table_);
-        std::size_t size = std::max<std::size_t>(64, old.size());
-        for (bool fits = false; !fits; crowded = true) {
-            if (size < 3 * (live_ + 16) || (crowded && size < 8 * live_))
-                size *= 2;
-            else
-                change_ += crowded;
-            table_.assign(size, {});
-            used_ = 0;
-            fits = true;
-            for (const Place& p : old)
-                if (p.triangle < kErased && fits) fits = place(p.triangle);
-        }
-    }
-
-    struct Place {
-        Id triangle = kNone;
-        std::uint32_t print = 0;  // of its hash, to tell most others apart without a look at them
-    };
-
     std::vector<Triangle> triangles_;
-    Id free_ = kNone;           // first of the list of free places, linked by mate[0]
-    std::vector<Place> table_;  // open addressing, linear probing
-    std::size_t used_ = 0, live_ = 0;
-    std::uint64_t change_ = 0;
+    Id free_ = kNone;  // first of the list of free places, linked by mate[0]
+    OpenTriangles open_;
 };
 
 }  // namespace ravel

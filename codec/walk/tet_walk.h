@@ -102,7 +102,8 @@ class TetWalk {
         const Id cell = walked_.cell_count(), base = 4 * cell;
         if (base + 4 > limits_.corners) return false;
         walked_.gate.push_back(gate);
-        if (base + 4 > triangle_of_.size()) grow(base + 4 + kAhead);
+        if (base + 4 > triangle_of_.size())
+            grow(std::min<std::size_t>(std::size_t{base} + 4 + kAhead, limits_.corners));
         if (gate == kNone ? !place_seed(base) : !place(base, gate)) return false;
         if (driver_.failed()) return false;
         driver_.end_cell(cell);

@@ -1,0 +1,131 @@
+// Finds the open triangles of a front by their vertices; no two have the same. Most that are asked
+// for are not there, which the vertices know nearly always; for the others there is a hash. Where
+// many crowd into one place of it, it grows, or becomes another hash: no choice of vertices fits
+// them all.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "walk/walk.h"
+
+namespace ravel {
+
+class OpenTriangles {
+  public:
+    using Vertices = std::array<Id, 3>;
+
+    // `vertices_of(t)`: those of a triangle that is in here.
+    template <class VerticesOf>
+    void insert(Id triangle, const VerticesOf& vertices_of) {
+        const Key key = key_of(vertices_of(triangle));
+        if (key[2] >= signs_.size()) signs_.resize(std::size_t{key[2]} + kMoreVertices);
+        for (const Id v : key) signs_[v] |= sign_of(key);
+        if (2 * (used_ + 1) > table_.size()) rehash(false, vertices_of);
+        while (!place(triangle, key)) rehash(true, vertices_of);
+        ++live_;
+    }
+    void erase(Id triangle, const Vertices& vertices) {
+        if (table_.empty()) return;
+        std::size_t i = home_of(hash_of(key_of(vertices)));
+        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
+             ++probe, i = next(i))
+            if (table_[i].triangle == triangle) {
+                table_[i].triangle = kErased;
+                --live_;
+                return;
+            }
+    }
+    // The triangle with these vertices, or kNone.
+    template <class VerticesOf>
+    Id find(const Vertices& vertices, const VerticesOf& vertices_of) const {
+        const Key key = key_of(vertices);
+        if (!may_be_here(key)) return kNone;
+        const std::uint64_t hash = hash_of(key);
+        std::size_t i = home_of(hash);
+        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
+             ++probe, i = next(i))
+            if (table_[i].print == print_of(hash) && table_[i].triangle != kErased &&
+                key_of(vertices_of(table_[i].triangle)) == key)
+                return table_[i].triangle;
+        return kNone;
+    }
+    // How many places the hash has, and how often it became another one.
+    std::size_t places() const { return table_.size(); }
+    std::uint64_t changes() const { return change_; }
+
+  private:
+    using Key = Vertices;  // in order
+    static constexpr Id kErased = kNone - 1;
+    static constexpr int kMostProbes = 48;
+    static constexpr std::size_t kMoreVertices = 1024;
+
+    static Key key_of(const Vertices& v) {
+        const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
+        return {std::min(low, v[2]), std::max(low, std::min(high, v[2])), std::max(high, v[2])};
+    }
+    // One bit of 64.
+    static std::uint64_t sign_of(const Key& v) {
+        const std::uint32_t h = v[0] * 0x9E3779B1u ^ v[1] * 0x85EBCA77u ^ v[2] * 0xC2B2AE3Du;
+        return std::uint64_t{1} << (h >> 26);
+    }
+    bool may_be_here(const Key& v) const {
+        return v[2] < signs_.size() &&
+               (signs_[v[0]] & signs_[v[1]] & signs_[v[2]] & sign_of(v)) != 0;
+    }
+    std::uint64_t hash_of(const Key& v) const {
+        std::uint64_t h = (v[0] + (change_ << 32)) * 0x9E3779B97F4A7C15u;
+        h = (h ^ (h >> 29) ^ v[1]) * 0xBF58476D1CE4E5B9u;
+        h = (h ^ (h >> 32) ^ v[2]) * 0x94D049BB133111EBu;
+        return h ^ (h >> 31);
+    }
+    std::size_t home_of(std::uint64_t hash) const { return hash & (table_.size() - 1); }
+    static std::uint32_t print_of(std::uint64_t hash) {
+        return static_cast<std::uint32_t>(hash >> 32);
+    }
+    std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
+    // False where all places near its own are taken.
+    bool place(Id triangle, const Key& key) {
+        const std::uint64_t hash = hash_of(key);
+        std::size_t i = home_of(hash);
+        for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
+            if (table_[i].triangle >= kErased) {
+                if (table_[i].triangle == kNone) ++used_;
+                table_[i] = {triangle, print_of(hash)};
+                return true;
+            }
+        return false;
+    }
+    template <class VerticesOf>
+    void rehash(bool crowded, const VerticesOf& vertices_of) {
+        std::vector<Place> old;
+        old.swap(table_);
+        std::size_t size = std::max<std::size_t>(64, old.size());
+        for (bool fits = false; !fits; crowded = true) {
+            if (size < 3 * (live_ + 16) || (crowded && size < 8 * live_))
+                size *= 2;
+            else
+                change_ += crowded;
+            table_.assign(size, {});
+            used_ = 0;
+            fits = true;
+            for (const Place& p : old)
+                if (p.triangle < kErased && fits)
+                    fits = place(p.triangle, key_of(vertices_of(p.triangle)));
+        }
+    }
+
+    struct Place {
+        Id triangle = kNone;
+        std::uint32_t print = 0;  // of its hash, to tell most others apart without a look at them
+    };
+
+    std::vector<Place> table_;  // open addressing, linear probing
+    std::size_t used_ = 0, live_ = 0;
+    std::uint64_t change_ = 0;
+    std::vector<std::uint64_t> signs_;  // per vertex: of all triangles with it that were in here
+};
+
+}  // namespace ravel
