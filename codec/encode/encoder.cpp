@@ -112,9 +112,14 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     Reorder order = reorder_of(mesh, complex, record);
     const EdgePoints edges = order_edge_points(mesh, record, order);
     block.has_edge_points = !edges.of.empty();
-    StripMesh on_strip = strip_mesh_of(mesh, complex, record, order, edges, *plan);
+    const bool has_more = !mesh.attributes.empty() || !mesh.companions.empty();
+    StripMesh on_strip;
+    if (has_more || options.keep_order)
+        on_strip = strip_mesh_of(mesh, complex, record, order, edges, *plan);
     const std::vector<AttributeGrid> grids = round_attributes(on_strip.mesh, options);
-    const CompanionCodes companions = write_companions(on_strip, course.walked, edges, order);
+    CompanionCodes companions;
+    if (!mesh.companions.empty())
+        companions = write_companions(on_strip, course.walked, edges, order);
     Encoded encoded;
     encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
     encoded.connectivity_ideal_bytes = codes.out.ideal_bits() / 8;

@@ -33,6 +33,8 @@ Mesh reordered(const Mesh& mesh, const Reorder& order, const PositionPlan& plan)
     const std::vector<Index> new_cell = inverse_of(order.old_cell, mesh.cell_count());
     std::vector<Index> old_corner_of;  // new corner -> old corner
     old_corner_of.reserve(mesh.corners.size());
+    out.corners.reserve(mesh.corners.size());
+    out.corner_begin.reserve(mesh.corner_begin.size());
     if (mesh.kind == CellKind::polygon) out.corner_begin.assign(1, 0);
     for (std::size_t c = 0; c < order.old_cell.size(); ++c) {
         const Index cell = order.old_cell[c];
@@ -75,6 +77,9 @@ StripMesh strip_mesh_of(const Mesh& mesh, const Complex& complex, const WalkReco
                         const Reorder& order, const EdgePoints& edges, const PositionPlan& plan) {
     StripMesh strip;
     strip.mesh = reordered(mesh, order, plan);
+    strip.point.reserve(record.copy_of.size());
+    strip.stencils.reserve(record.copy_of.size() + edges.end.size());
+    strip.flipped.reserve(record.cell_of.size());
     Id own = 0;
     for (std::size_t v = 0; v < record.copy_of.size(); ++v) {
         const Id of = record.copy_of[v];

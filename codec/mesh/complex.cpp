@@ -214,15 +214,25 @@ class Gluer {
         }
     }
 
+    bool repeats_a_point(Id cell) {
+        const Id begin = out_.first[cell], end = out_.first[cell + 1];
+        if (end - begin == 4) {
+            const Id a = point_at(begin), b = point_at(begin + 1), c = point_at(begin + 2),
+                     d = point_at(begin + 3);
+            return a == b || a == c || a == d || b == c || b == d || c == d;
+        }
+        scratch_.clear();
+        for (Id i = begin; i < end; ++i) scratch_.push_back(point_at(i));
+        std::sort(scratch_.begin(), scratch_.end());
+        return std::adjacent_find(scratch_.begin(), scratch_.end()) != scratch_.end();
+    }
+
     // Only a cell that repeats a point can do so; it becomes a component of its own. Quadratic in
     // the degree of such cells alone.
     bool isolate_cells_meeting_a_vertex_twice() {
         bool any = false;
         for (Id c = 0; c < out_.cell_count(); ++c) {
-            scratch_.clear();
-            for (Id i = out_.first[c]; i < out_.first[c + 1]; ++i) scratch_.push_back(point_at(i));
-            std::sort(scratch_.begin(), scratch_.end());
-            if (std::adjacent_find(scratch_.begin(), scratch_.end()) == scratch_.end()) continue;
+            if (!repeats_a_point(c)) continue;
             scratch_.clear();
             for (Id i = out_.first[c]; i < out_.first[c + 1]; ++i) scratch_.push_back(root_of(i));
             std::sort(scratch_.begin(), scratch_.end());
