@@ -30,10 +30,9 @@ class OpenTriangles {
     void erase(Id triangle, const Vertices& vertices) {
         if (table_.empty()) return;
         std::size_t i = home_of(hash_of(key_of(vertices)));
-        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
-             ++probe, i = next(i))
-            if (table_[i].triangle == triangle) {
-                table_[i].triangle = kErased;
+        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
+            if (table_[i] == triangle) {
+                table_[i] = kErased;
                 --live_;
                 return;
             }
@@ -43,13 +42,9 @@ class OpenTriangles {
     Id find(const Vertices& vertices, const VerticesOf& vertices_of) const {
         const Key key = key_of(vertices);
         if (!may_be_here(key)) return kNone;
-        const std::uint64_t hash = hash_of(key);
-        std::size_t i = home_of(hash);
-        for (int probe = 0; probe < kMostProbes && table_[i].triangle != kNone;
-             ++probe, i = next(i))
-            if (table_[i].print == print_of(hash) && table_[i].triangle != kErased &&
-                key_of(vertices_of(table_[i].triangle)) == key)
-                return table_[i].triangle;
+        std::size_t i = home_of(hash_of(key));
+        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
+            if (table_[i] != kErased && key_of(vertices_of(table_[i])) == key) return table_[i];
         return kNone;
     }
     // How many places the hash has, and how often it became another one.
@@ -82,25 +77,21 @@ class OpenTriangles {
         return h ^ (h >> 31);
     }
     std::size_t home_of(std::uint64_t hash) const { return hash & (table_.size() - 1); }
-    static std::uint32_t print_of(std::uint64_t hash) {
-        return static_cast<std::uint32_t>(hash >> 32);
-    }
     std::size_t next(std::size_t i) const { return (i + 1) & (table_.size() - 1); }
     // False where all places near its own are taken.
     bool place(Id triangle, const Key& key) {
-        const std::uint64_t hash = hash_of(key);
-        std::size_t i = home_of(hash);
+        std::size_t i = home_of(hash_of(key));
         for (int probe = 0; probe < kMostProbes; ++probe, i = next(i))
-            if (table_[i].triangle >= kErased) {
-                if (table_[i].triangle == kNone) ++used_;
-                table_[i] = {triangle, print_of(hash)};
+            if (table_[i] >= kErased) {
+                if (table_[i] == kNone) ++used_;
+                table_[i] = triangle;
                 return true;
             }
         return false;
     }
     template <class VerticesOf>
     void rehash(bool crowded, const VerticesOf& vertices_of) {
-        std::vector<Place> old;
+        std::vector<Id> old;
         old.swap(table_);
         std::size_t size = std::max<std::size_t>(64, old.size());
         for (bool fits = false; !fits; crowded = true) {
@@ -108,21 +99,15 @@ class OpenTriangles {
                 size *= 2;
             else
                 change_ += crowded;
-            table_.assign(size, {});
+            table_.assign(size, kNone);
             used_ = 0;
             fits = true;
-            for (const Place& p : old)
-                if (p.triangle < kErased && fits)
-                    fits = place(p.triangle, key_of(vertices_of(p.triangle)));
+            for (const Id t : old)
+                if (t < kErased && fits) fits = place(t, key_of(vertices_of(t)));
         }
     }
 
-    struct Place {
-        Id triangle = kNone;
-        std::uint32_t print = 0;  // of its hash, to tell most others apart without a look at them
-    };
-
-    std::vector<Place> table_;  // open addressing, linear probing
+    std::vector<Id> table_;  // open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
     std::uint64_t change_ = 0;
     std::vector<std::uint64_t> signs_;  // per vertex: of all triangles with it that were in here
