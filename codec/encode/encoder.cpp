@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <thread>
 
 #include "container/head.h"
 #include "container/sections.h"
@@ -14,6 +15,7 @@
 #include "encode/payload.h"
 #include "encode/positions.h"
 #include "encode/strip_mesh.h"
+#include "encode/threads.h"
 #include "entropy/pack.h"
 #include "ravel/ravel.h"
 #include "walk/read_strip.h"
@@ -37,6 +39,7 @@ Status check_options(const EncodeOptions& options) {
     if (options.lattice && !(*options.lattice > 0 && *options.lattice < 1e300 &&
                              std::frexp(*options.lattice, &exponent) == 0.5))
         return bad("the step of a lattice is a power of two, such as 0.0009765625 (1/1024)");
+    if (options.threads < 0) return bad("the threads are as many as may be used, or 0 for all");
     if (options.level < 1 || options.level > 22) return bad("the level is 1 to 22");
     if (options.strip_budget && !(*options.strip_budget >= 0))
         return bad("the strip budget is a percentage of at least 0");
@@ -80,6 +83,19 @@ Head head_of(const Mesh& mesh, const PositionPlan& plan, const std::vector<Attri
     return head;
 }
 
+int threads_of(const EncodeOptions& options) {
+    return options.threads > 0 ? options.threads
+                               : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+struct SectionBytes {
+    Bytes raw, packed;
+};
+SectionBytes packed(Bytes raw, int level) {
+    Bytes bytes = pack(raw, level);
+    return {std::move(raw), std::move(bytes)};
+}
+
 }  // namespace
 
 Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
@@ -93,9 +109,11 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     }
     const Mesh& mesh = rounded.positions.bytes.empty() ? given : rounded;
 
-    Result<PositionPlan> plan = plan_positions(mesh, options);
-    if (!plan) return plan.error();
+    const int threads = threads_of(options);
+    auto planned = start(threads > 1, [&] { return plan_positions(mesh, options); });
     Result<Complex> built = build_complex(mesh);
+    Result<PositionPlan> plan = planned.get();
+    if (!plan) return plan.error();
     if (!built) return built.error();
     const Complex& complex = *built;
     CoursePlan course_plan = plan_course(mesh, complex, *plan);
@@ -112,10 +130,19 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     Reorder order = reorder_of(mesh, complex, record);
     const EdgePoints edges = order_edge_points(mesh, record, order);
     block.has_edge_points = !edges.of.empty();
-    const bool has_more = !mesh.attributes.empty() || !mesh.companions.empty();
+    const std::vector<Index> unused(
+        order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
+    const bool has_more =
+        !mesh.attributes.empty() || !mesh.companions.empty() || options.keep_order;
+    // Positions take most of the time; what else there is in the file may be made meanwhile.
+    std::future<SectionBytes> positions = start(threads > 1 && has_more, [&] {
+        const CodedPositions all{*plan, complex, record, unused, edges};
+        const PositionFormat format =
+            choose_format(all, options.fast, has_more ? std::max(1, threads - 1) : threads);
+        return packed(write_positions(all, format), options.level);
+    });
     StripMesh on_strip;
-    if (has_more || options.keep_order)
-        on_strip = strip_mesh_of(mesh, complex, record, order, edges, *plan);
+    if (has_more) on_strip = strip_mesh_of(mesh, complex, record, order, edges, *plan);
     const std::vector<AttributeGrid> grids = round_attributes(on_strip.mesh, options);
     CompanionCodes companions;
     if (!mesh.companions.empty())
@@ -132,25 +159,30 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     ByteWriter out;
     out.raw(kMagic);
     out.u8(kVersion);
-    const auto section = [&](SectionId id, const Bytes& raw) {
-        write_section(out, id, raw, pack(raw, options.level));
+    const auto section = [&](SectionId id, const SectionBytes& bytes) {
+        write_section(out, id, bytes.raw, bytes.packed);
     };
-    section(SectionId::head, write_head(head_of(mesh, *plan, grids, options)));
-    section(SectionId::block, write_block_head(block, mesh.kind));
-    section(SectionId::connectivity, codes.out.finish());
-    const std::vector<Index> unused(
-        order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
-    section(SectionId::positions,
-            write_positions(*plan, complex, record, unused, edges, options.fast));
-    if (!mesh.companions.empty()) section(SectionId::companions, companions.section);
+    const auto packed_section = [&](SectionId id, Bytes raw) {
+        section(id, packed(std::move(raw), options.level));
+    };
+    packed_section(SectionId::head, write_head(head_of(mesh, *plan, grids, options)));
+    packed_section(SectionId::block, write_block_head(block, mesh.kind));
+    packed_section(SectionId::connectivity, codes.out.finish());
+    SectionBytes attributes, kept_order;
     if (!mesh.attributes.empty())
-        section(SectionId::attributes, write_attributes(on_strip.ground(course.walked),
-                                                        companions.marked, grids, order.old_tuple));
-    if (!mesh.tag_names.empty() || !mesh.notes.empty())
-        section(SectionId::names, write_names(mesh));
+        attributes = packed(write_attributes(on_strip.ground(course.walked), companions.marked,
+                                             grids, order.old_tuple),
+                            options.level);
     if (options.keep_order)
-        section(SectionId::order,
-                write_order(on_strip.ground(course.walked), companions.turned, order));
+        kept_order = packed(write_order(on_strip.ground(course.walked), companions.turned, order),
+                            options.level);
+    section(SectionId::positions, positions.get());
+    if (!mesh.companions.empty())
+        packed_section(SectionId::companions, std::move(companions.section));
+    if (!mesh.attributes.empty()) section(SectionId::attributes, attributes);
+    if (!mesh.tag_names.empty() || !mesh.notes.empty())
+        packed_section(SectionId::names, write_names(mesh));
+    if (options.keep_order) section(SectionId::order, kept_order);
     write_end(out);
     encoded.bytes = out.take();
     return encoded;

@@ -28,9 +28,24 @@ Point3 units_of(const PositionPlan& plan, std::size_t point);
 // stand for the floats.
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);
 
-// `unused`: unused points, in the order they are appended, those of edges first.
-// `fast`: nothing is tried out.
-Bytes write_positions(PositionPlan& plan, const Complex& complex, const WalkRecord& record,
-                      const std::vector<Index>& unused, const EdgePoints& edges, bool fast);
+// What is to be coded, in order.
+struct CodedPositions {
+    const PositionPlan& plan;
+    const Complex& complex;
+    const WalkRecord& record;
+    const std::vector<Index>& unused;  // points, in the order they are appended
+    const EdgePoints& edges;
+
+    std::size_t vertices() const { return record.vertex_of.size(); }
+    std::size_t size() const { return vertices() + unused.size(); }
+};
+
+// The format that makes the fewest bytes, but for what costs more time than it is worth. `fast`:
+// nothing is tried out. `threads`: how many trials may run at a time; the choice is the same.
+PositionFormat choose_format(const CodedPositions& all, bool fast, int threads);
+
+// The head of the section, and all of it.
+Bytes position_head_of(const PositionFormat& format);
+Bytes write_positions(const CodedPositions& all, const PositionFormat& format);
 
 }  // namespace ravel

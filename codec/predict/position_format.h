@@ -36,6 +36,7 @@ struct PositionFormat {
     double place_scale = 1;
 
     bool grid() const { return numbers.base == NumberBase::grid; }
+    bool operator==(const PositionFormat&) const = default;
 };
 
 // What is to be coded of a vertex.

@@ -111,6 +111,34 @@ TEST_CASE("attributes of every place and scalar come back, plain and as pools") 
         }
 }
 
+TEST_CASE("the file is the same however many threads there are") {
+    std::vector<test::NamedMesh> meshes = test::small_meshes();
+    meshes.push_back({"a large grid", test::quad_grid(90, 80)});
+    meshes.push_back({"many parts", test::with_holes(test::quad_grid(60, 50), 30, 1)});
+    meshes.push_back({"a box of tets", test::tet_box(12, 11, 10)});
+    for (test::NamedMesh& given : meshes)
+        for (const bool more : {false, true}) {
+            INFO(given.name << (more ? ", with attributes" : ""));
+            if (more) {
+                add_companions(given.mesh);
+                add_attributes(given.mesh, true);
+            }
+            EncodeOptions options;
+            options.level = 1;
+            options.position_bits = 12;
+            options.keep_order = more;
+            const Result<Encoded> alone = encode(given.mesh, options);
+            REQUIRE(alone);
+            for (const int threads : {0, 3}) {
+                options.threads = threads;
+                const Result<Encoded> together = encode(given.mesh, options);
+                REQUIRE(together);
+                CHECK(together->bytes == alone->bytes);
+                CHECK(together->order.cell == alone->order.cell);
+            }
+        }
+}
+
 TEST_CASE("numbers of points and cells follow their elements, others stay") {
     for (auto& [name, mesh, clean] : test::small_meshes()) {
         add_references(mesh);
@@ -217,6 +245,7 @@ TEST_CASE("broken options and broken meshes are refused by name") {
           Code::bad_option);
     CHECK(code([](EncodeOptions& o) { o.level = 0; }) == Code::bad_option);
     CHECK(code([](EncodeOptions& o) { o.level = 23; }) == Code::bad_option);
+    CHECK(code([](EncodeOptions& o) { o.threads = -1; }) == Code::bad_option);
     CHECK(code([&](EncodeOptions& o) { o.strip_budget = nan; }) == Code::bad_option);
     Mesh broken = mesh;
     broken.corners[3] = broken.point_count();

@@ -146,6 +146,16 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
         ->group("Effort");
 }
 
+void add_threads_flag(CLI::App& verb, EncodeFlags& flags) {
+    flags.threads = 0;
+    verb.add_option("--threads", flags.threads,
+                    "Threads that may work at a time (all there are if not given); the file is the "
+                    "same")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->group("Effort");
+}
+
 EncodeOptions options_of(const EncodeFlags& flags) {
     EncodeOptions options;
     if (flags.position_bits > 0) options.position_bits = flags.position_bits;
@@ -158,6 +168,7 @@ EncodeOptions options_of(const EncodeFlags& flags) {
     if (flags.strip_budget >= 0) options.strip_budget = flags.strip_budget;
     if (flags.level > 0) options.level = flags.level;
     options.fast = flags.fast;
+    options.threads = flags.threads;
     if (flags.fast) options.level = kFastLevel;
     return options;
 }

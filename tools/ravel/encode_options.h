@@ -20,10 +20,13 @@ struct EncodeFlags {
     std::vector<AttributeOptions> attributes;
     double strip_budget = -1;  // negative: not given
     bool fast = false;
-    int level = 0;  // 0: not given
+    int level = 0;    // 0: not given
+    int threads = 1;  // 0: all there are
 };
 
 void add_encode_flags(CLI::App& verb, EncodeFlags& flags);
+// For verbs that are not to be timed.
+void add_threads_flag(CLI::App& verb, EncodeFlags& flags);
 EncodeOptions options_of(const EncodeFlags& flags);
 
 // "14 bits", "error <= 0.001", "lossless", with the other options that differ from their defaults.

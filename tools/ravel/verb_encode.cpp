@@ -59,6 +59,7 @@ void add_encode(CLI::App& app, Action& action) {
     verb->add_option("--from", options->from, "Format of a mesh that comes by stdin")
         ->type_name("ENDING");
     add_encode_flags(*verb, options->flags);
+    add_threads_flag(*verb, options->flags);
     verb->footer("Endings that can be read:" + endings +
                  "\n\nExamples:\n"
                  "  ravel encode chair.obj -o chair.ravel                      to the last bit\n"

@@ -122,6 +122,7 @@ void add_verify(CLI::App& app, Action& action) {
     verb->add_option("--from", options->from, "Format of a mesh that comes by stdin")
         ->type_name("ENDING");
     add_encode_flags(*verb, options->flags);
+    add_threads_flag(*verb, options->flags);
     verb->footer(
         "A mesh is encoded with the options given, decoded and compared, in memory.\n"
         "A .ravel file's checksum is checked and it is unpacked (stdin is taken for one).\n"

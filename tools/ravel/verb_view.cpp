@@ -65,6 +65,7 @@ void add_view(CLI::App& app, Action& action) {
         ->required();
     verb->add_option("--port", options->port, "Port on 127.0.0.1; any free one if not given");
     add_encode_flags(*verb, options->flags);
+    add_threads_flag(*verb, options->flags);
     verb->footer(
         "Prints an address that only this machine can reach, and serves the viewer's page and "
         "this\n"

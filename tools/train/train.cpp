@@ -10,7 +10,7 @@
 #include <string>
 
 #include "encode/course.h"
-#include "encode/positions.h"
+#include "encode/position_pass.h"
 #include "entropy/priors.h"
 #include "io/mesh_io.h"
 #include "ravel/ravel.h"
@@ -54,18 +54,14 @@ struct Learnt {
     Tally surface{surface::kContexts}, tet{tet::kContexts}, residual{ResidualContexts::count};
 };
 
-void learn_residuals(const Complex& complex, const Course& course, PositionPlan& plan,
+void learn_residuals(const Complex& complex, const Course& course, const PositionPlan& plan,
                      Tally& into) {
-    write_positions(plan, complex, course.record, {}, {}, false);  // chooses the format
+    const std::vector<Index> unused;
+    const EdgePoints edges;
+    const CodedPositions all{plan, complex, course.record, unused, edges};
     ResidualTape tape;
-    PositionCodes<ResidualTape> codes(tape, plan.format, course.record.vertex_of.size());
-    for (std::size_t v = 0; v < course.record.vertex_of.size(); ++v) {
-        const Id p = complex.point[course.record.vertex_of[v]];
-        if (course.record.copy_of[v] != kNone)
-            codes.copy(course.record.copy_of[v]);
-        else
-            codes.next(course.record.stencils[v], plan.values[p]);
-    }
+    code_positions(tape, all, choose_format(all, false, 1), all.size(),
+                   [](std::size_t) { return true; });
     into.take_in(tape.tally);
 }
 

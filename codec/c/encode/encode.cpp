@@ -1,4 +1,5 @@
 // Encoding for C.
+#include <algorithm>
 #include <cmath>
 
 #include "c/handle.h"
@@ -15,6 +16,7 @@ ravel_encode_options default_options() {
     options.struct_size = sizeof options;
     options.strip_budget = -1;
     options.level = EncodeOptions{}.level;
+    options.threads = static_cast<std::uint32_t>(EncodeOptions{}.threads);
     return options;
 }
 
@@ -55,6 +57,7 @@ EncodeOptions options_of(const ravel_encode_options& given) {
     options.keep_order = given.keep_order != 0;
     options.float32 = given.float32 != 0;
     options.fast = given.fast != 0;
+    options.threads = static_cast<int>(std::min<std::uint32_t>(given.threads, 1024));
     return options;
 }
 

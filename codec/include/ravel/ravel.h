@@ -52,6 +52,9 @@ struct EncodeOptions {
     // Files that are faster to make and to decode, but larger where a mesh repeats or mirrors
     // itself or lies in planes: none of this is looked for.
     bool fast = false;
+    // How many threads may work at a time, the caller's among them; 0: as many as the machine can
+    // run. The bytes are the same.
+    int threads = 1;
 };
 
 // Where the elements of the mesh given to `encode` are in the mesh that `decode` returns.

@@ -317,6 +317,8 @@ typedef struct ravel_encode_options {
     double lattice; /* a power of two: coordinates become multiples of it, alike in every mesh */
     const ravel_attribute_bound* attribute_bounds;
     uint64_t attribute_bound_count;
+    uint32_t threads; /* that may work at a time, yours among them; 0: all; the same bytes */
+    uint32_t reserved;
 } ravel_encode_options;
 void ravel_encode_options_init(ravel_encode_options* options, size_t struct_size);
 

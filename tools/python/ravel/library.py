@@ -56,7 +56,8 @@ class EncodeOptions(Structure):
     _fields_ = [("struct_size", c_uint32), ("position_bits", c_int32), ("max_error", c_double), ("strip_budget", c_double),
                 ("level", c_int32), ("keep_order", c_uint32), ("float32", c_uint32), ("fast", c_uint32),
                 ("max_error_relative", c_double), ("lattice", c_double),
-                ("attribute_bounds", c_void_p), ("attribute_bound_count", c_uint64)]
+                ("attribute_bounds", c_void_p), ("attribute_bound_count", c_uint64),
+                ("threads", c_uint32), ("reserved", c_uint32)]
 
 
 BOUND_KINDS = ("bits", "max_error", "max_error_relative", "octahedral")
