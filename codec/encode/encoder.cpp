@@ -122,11 +122,6 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     codes.models = walk_models(mesh.kind);
     const Course course = run_course(complex, course_plan, codes);
     const WalkRecord& record = course.record;
-    const StripReading strip = read_strip(course.walked);
-    block.links = strip.links;
-    block.wants_mending = 100 * static_cast<double>(strip.added_cells) >
-                          budget_of(complex, options) * static_cast<double>(block.cells);
-
     Reorder order = reorder_of(mesh, complex, record);
     const EdgePoints edges = order_edge_points(mesh, record, order);
     block.has_edge_points = !edges.of.empty();
@@ -134,13 +129,17 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
     const bool has_more =
         !mesh.attributes.empty() || !mesh.companions.empty() || options.keep_order;
-    // Positions take most of the time; what else there is in the file may be made meanwhile.
-    std::future<SectionBytes> positions = start(threads > 1 && has_more, [&] {
+    // Positions take most of the time; what else there is in the file is made meanwhile.
+    std::future<SectionBytes> positions = start(threads > 1, [&] {
         const CodedPositions all{*plan, complex, record, unused, edges};
         const PositionFormat format =
             choose_format(all, options.fast, has_more ? std::max(1, threads - 1) : threads);
         return packed(write_positions(all, format), options.level);
     });
+    const StripReading strip = read_strip(course.walked);
+    block.links = strip.links;
+    block.wants_mending = 100 * static_cast<double>(strip.added_cells) >
+                          budget_of(complex, options) * static_cast<double>(block.cells);
     StripMesh on_strip;
     if (has_more) on_strip = strip_mesh_of(mesh, complex, record, order, edges, *plan);
     const std::vector<AttributeGrid> grids = round_attributes(on_strip.mesh, options);
