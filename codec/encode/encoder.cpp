@@ -110,10 +110,10 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const Mesh& mesh = rounded.positions.bytes.empty() ? given : rounded;
 
     const int threads = threads_of(options);
-    auto planned = start(threads > 1, [&] { return plan_positions(mesh, options); });
-    Result<Complex> built = build_complex(mesh);
-    Result<PositionPlan> plan = planned.get();
+    auto building = start(threads > 1, [&] { return build_complex(mesh); });
+    Result<PositionPlan> plan = plan_positions(mesh, options);
     if (!plan) return plan.error();
+    Result<Complex> built = building.get();
     if (!built) return built.error();
     const Complex& complex = *built;
     CoursePlan course_plan = plan_course(mesh, complex, *plan);
@@ -129,8 +129,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         order.old_point.begin() + static_cast<std::ptrdiff_t>(block.points), order.old_point.end());
     const bool has_more =
         !mesh.attributes.empty() || !mesh.companions.empty() || options.keep_order;
-    // Positions take most of the time; what else there is in the file is made meanwhile.
-    std::future<SectionBytes> positions = start(threads > 1, [&] {
+    // Positions take most of the time; what else there is in the file may be made meanwhile.
+    std::future<SectionBytes> positions = start(threads > 1 && has_more, [&] {
         const CodedPositions all{*plan, complex, record, unused, edges};
         const PositionFormat format =
             choose_format(all, options.fast, has_more ? std::max(1, threads - 1) : threads);

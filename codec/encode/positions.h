@@ -40,7 +40,7 @@ struct CodedPositions {
     std::size_t size() const { return vertices() + unused.size(); }
 };
 
-// The format that makes the fewest bytes, but for what costs more time than it is worth. `fast`:
+// From `plan.format`, the format that makes the fewest bytes, but for what costs more time than it is worth. `fast`:
 // nothing is tried out. `threads`: how many trials may run at a time; the choice is the same.
 PositionFormat choose_format(const CodedPositions& all, bool fast, int threads);
 

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <future>
-#include <utility>
+#include <system_error>
 
 namespace ravel {
 
-// What `work` returns, or throws. On a thread of its own, if there are `more` and the system has
-// one to give; else when it is asked for.
+// What `work` returns, or throws. On a thread of its own, if there are `more` and the system gives
+// one; else when it is asked for.
 template <class Work>
-auto start(bool more, Work work) {
-    return std::async(more ? std::launch::async | std::launch::deferred : std::launch::deferred,
-                      std::move(work));
+auto start(bool more, const Work& work) {
+    try {
+        if (more) return std::async(std::launch::async, work);
+    } catch (const std::system_error&) {
+        // Without a thread it takes longer.
+    }
+    return std::async(std::launch::deferred, work);
 }
 
 }  // namespace ravel

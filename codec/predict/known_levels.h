@@ -62,7 +62,7 @@ class KnownLevels {
 
   private:
     static constexpr std::size_t kPlaces = 8;
-    struct alignas(64) List {
+    struct alignas(kListAlignment) List {
         std::array<double, kPlaces> level = no_levels<kPlaces>();
         std::array<Id, kPlaces> vertex{};
         std::array<std::uint32_t, kPlaces> count{}, last{};  // last: the turn when it was had

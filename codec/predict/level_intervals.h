@@ -19,6 +19,10 @@ constexpr std::array<double, places> no_levels() {
     return none;
 }
 
+// Lists begin where a line of the cache does; not where addresses have 32 bits (pages), as memory
+// comes as it is there.
+inline constexpr std::size_t kListAlignment = sizeof(void*) == 8 ? 64 : alignof(double);
+
 // Intervals of length 2^bits.
 class LevelIntervals {
   public:

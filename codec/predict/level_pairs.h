@@ -54,7 +54,7 @@ class LevelPairs {
 
   private:
     static constexpr std::size_t kPlaces = 5;
-    struct alignas(64) List {  // one line of a cache
+    struct alignas(kListAlignment) List {
         std::array<double, kPlaces> level = no_levels<kPlaces>();
         std::array<Id, kPlaces> vertex{};
     };

@@ -100,8 +100,9 @@ class TetFront {
 
     void insert(Id triangle) { open_.insert(triangle, VerticesOf{triangles_}); }
     void erase(Id triangle) { open_.erase(triangle, triangles_[triangle].vertex); }
-    // The open triangle with the vertices of `triangle`, or kNone. Nearly always it is the one
-    // across the edge that was the gate's.
+    // The open triangle with the vertices of `triangle`, which add_tet has just made, or kNone.
+    // Four times in five it is the one across the edge that was the gate's: with the same apex it
+    // has the same vertices, and what is in the front and no border is open.
     Id find(Id triangle) const {
         const Triangle& t = triangles_[triangle];
         const Id mate = t.mate[2];

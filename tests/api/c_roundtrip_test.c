@@ -122,6 +122,10 @@ static void polygons_come_back(const char* path) {
     ravel_encode_options_init(&options, sizeof options);
     options.keep_order = 1;
     options.fast = 1;
+    CHECK(options.threads == 1);
+    options.threads = UINT32_MAX;
+    CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_BAD_OPTION && packed == NULL);
+    options.threads = 3;
     CHECK(ravel_encode(mesh, &options, &packed, &error) == RAVEL_DONE);
     CHECK(ravel_packed_bound(packed) == 0);
     CHECK(ravel_packed_array(packed, RAVEL_FILE, &file, &error) == RAVEL_DONE);

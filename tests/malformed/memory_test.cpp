@@ -12,21 +12,22 @@ namespace {
 
 std::atomic<std::size_t> live{0}, peak{0};
 
-void* counted(std::size_t size) {
-    // The size stands in front of the block; 16 bytes keep its alignment.
-    auto* block = static_cast<std::size_t*>(std::malloc(size + 16));
-    if (block == nullptr) throw std::bad_alloc();
-    *block = size;
+// The size stands 16 bytes in front of the block, and before it as much as keeps the alignment.
+void* counted(std::size_t size, std::size_t alignment = 16) {
+    const std::size_t whole = (size + 2 * alignment - 1) / alignment * alignment;
+    auto* start = static_cast<char*>(std::aligned_alloc(alignment, whole));
+    if (start == nullptr) throw std::bad_alloc();
+    char* const block = start + alignment;
+    *reinterpret_cast<std::size_t*>(block - 16) = size;
     const std::size_t now = live += size;
     if (now > peak) peak = now;
-    return reinterpret_cast<char*>(block) + 16;
+    return block;
 }
 
-void uncounted(void* p) {
+void uncounted(void* p, std::size_t alignment = 16) {
     if (p == nullptr) return;
-    auto* block = reinterpret_cast<std::size_t*>(static_cast<char*>(p) - 16);
-    live -= *block;
-    std::free(block);
+    live -= *reinterpret_cast<std::size_t*>(static_cast<char*>(p) - 16);
+    std::free(static_cast<char*>(p) - alignment);
 }
 
 }  // namespace
@@ -42,6 +43,15 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
 }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
     return counted(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* p, std::align_val_t alignment) noexcept {
+    uncounted(p, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* p, std::size_t, std::align_val_t alignment) noexcept {
+    uncounted(p, static_cast<std::size_t>(alignment));
 }
 void operator delete(void* p, const std::nothrow_t&) noexcept {
     uncounted(p);

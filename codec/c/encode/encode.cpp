@@ -1,5 +1,5 @@
 // Encoding for C.
-#include <algorithm>
+#include <climits>
 #include <cmath>
 
 #include "c/handle.h"
@@ -57,7 +57,7 @@ EncodeOptions options_of(const ravel_encode_options& given) {
     options.keep_order = given.keep_order != 0;
     options.float32 = given.float32 != 0;
     options.fast = given.fast != 0;
-    options.threads = static_cast<int>(std::min<std::uint32_t>(given.threads, 1024));
+    options.threads = given.threads <= INT_MAX ? static_cast<int>(given.threads) : -1;
     return options;
 }
 

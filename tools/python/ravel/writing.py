@@ -55,7 +55,7 @@ def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, c
     are exact unless one of position_bits (1..30 along the longest side), max_error, max_error_relative (in
     diagonals of the bounding box) and lattice (a power of two, alike for every mesh) is given. Data are exact, too,
     but for floats that attribute_bounds names: {name: {"bits": 12}}, or max_error, max_error_relative, octahedral.
-    Threads that may work at a time are as many as the machine can run, or `threads`; the bytes are the same.
+    `threads` may work at a time, 0: as many as the machine can run; the bytes are the same.
     """
     kind, corners, begin, counts = _cells_of(cells)
     pack = lib.library()
@@ -97,6 +97,8 @@ def dumps(points, cells, point_data=None, cell_data=None, *, corner_data=None, c
         options.position_bits, options.max_error = position_bits or 0, max_error or 0
         options.max_error_relative, options.lattice = max_error_relative or 0, lattice or 0
         options.float32, options.keep_order, options.fast = float32, keep_order, fast
+        if threads < 0:
+            raise ValueError("threads are 1 or more, or 0 for as many as the machine can run")
         options.threads = threads
         if strip_budget is not None:
             options.strip_budget = strip_budget

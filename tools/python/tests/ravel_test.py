@@ -86,6 +86,12 @@ class Surfaces(unittest.TestCase):
         mesh = ravel.loads(ravel.dumps(self.points, ("polygon", (begin, corners)), keep_order=True, fast=True).bytes)
         self.assertEqual([(kind, data.shape) for kind, data in mesh.cells], [("polygon", (1, 5)), ("triangle", (1, 3))])
 
+    def test_threads_change_no_byte(self):
+        alone = ravel.dumps(self.points, self.cells, threads=1).bytes
+        self.assertEqual(ravel.dumps(self.points, self.cells, threads=3).bytes, alone)
+        with self.assertRaises(ValueError):
+            ravel.dumps(self.points, self.cells, threads=-1)
+
     def test_a_grid_keeps_its_bound(self):
         written = ravel.dumps(self.points.astype(np.float64), self.cells, max_error=1e-3)
         error = np.abs(ravel.loads(written.bytes).points[written.new_point] - self.points).max()
