@@ -1,3 +1,4 @@
+// Which means a mesh's positions are to be coded by: what they would cost is tried out one by one.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -48,36 +49,38 @@ int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places,
     return std::clamp(bits, 1, kMostCubeBits - 1);
 }
 
-// Do vertices often share a coordinate that their first neighbours share? Looks at some thousand.
-bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places) {
+// Calls look(stencil, vertex) for some thousand vertices, evenly along the walk.
+template <class Look>
+void look_at_some(const WalkRecord& record, const Look& look) {
     constexpr std::size_t kLooks = 4096;
     const std::size_t stride = record.stencils.size() / kLooks + 1;
+    for (std::size_t v = 0; v < record.stencils.size(); v += stride) look(record.stencils[v], v);
+}
+
+// Do vertices often share a coordinate that their first neighbours share?
+bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places) {
     std::size_t shared = 0, kept = 0;
-    for (std::size_t v = 0; v < record.stencils.size(); v += stride) {
-        const Stencil& s = record.stencils[v];
-        if (s.at[0] == kNone || s.at[1] == kNone) continue;
+    look_at_some(record, [&](const Stencil& s, std::size_t v) {
+        if (s.at[0] == kNone || s.at[1] == kNone) return;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double level = places[s.at[0]][axis];
             if (places[s.at[1]][axis] != level) continue;
             ++shared;
             kept += places[v][axis] == level;
         }
-    }
+    });
     return 32 * kept > shared;
 }
 
 // Do enough of the vertices of tets that could go on with a border lie near its plane to pay for
-// asking? Looks at some thousand.
+// asking?
 bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
-    constexpr std::size_t kLooks = 4096;
-    const std::size_t stride = record.stencils.size() / kLooks + 1;
     std::size_t asked = 0, near = 0;
-    for (std::size_t v = 0; v < record.stencils.size(); v += stride) {
-        const Stencil& s = record.stencils[v];
-        if (s.borders == 0) continue;
+    look_at_some(record, [&](const Stencil& s, std::size_t v) {
+        if (s.borders == 0) return;
         ++asked;
         near += stencil_along(s, places, places[v]).configuration == Configuration::border;
-    }
+    });
     return 4 * near > asked;
 }
 

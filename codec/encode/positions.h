@@ -33,15 +33,16 @@ struct CodedPositions {
     const PositionPlan& plan;
     const Complex& complex;
     const WalkRecord& record;
-    const std::vector<Index>& unused;  // points, in the order they are appended
+    const std::vector<Index>& unused;  // points as appended, those of edges first
     const EdgePoints& edges;
 
     std::size_t vertices() const { return record.vertex_of.size(); }
     std::size_t size() const { return vertices() + unused.size(); }
 };
 
-// From `plan.format`, the format that makes the fewest bytes, but for what costs more time than it is worth. `fast`:
-// nothing is tried out. `threads`: how many trials may run at a time; the choice is the same.
+// From `plan.format`, the format that makes the fewest bytes, but for what costs more time than it
+// is worth. `fast`: nothing is tried out. `threads`: how many trials may run at a time; the choice
+// is the same.
 PositionFormat choose_format(const CodedPositions& all, bool fast, int threads);
 
 // The head of the section, and all of it.

@@ -39,8 +39,8 @@ class FlagEncoder {
         }
     }
 
-    // What an ideal coder would make of the same models, plain bits included. For reports
-    // and trials.
+    // What an ideal coder would make of the same models, plain bits included. For reports and
+    // trials.
     double ideal_bits() const { return ideal_bits_; }
 
     // Runs that are not full yet are taken for full. Linear.

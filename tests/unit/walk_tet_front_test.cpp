@@ -73,6 +73,8 @@ TEST_CASE("a front of tets is a closed surface while it grows and is glued") {
             if (a == b) mine = t, other = old;
         }
     REQUIRE(other != kNone);
+    // Across the gate's edge it is found without the hash, and nothing else is.
+    for (const Id t : third) CHECK(front.find(t) == (t == mine ? other : kNone));
     front.glue(mine, other);
     std::vector<Id> left;
     for (const Id t : {seed[0], seed[1], seed[2]})
