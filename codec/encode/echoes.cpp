@@ -40,7 +40,7 @@ Echo echo_along(std::size_t axis, bool mirrored, double offset) {
 }
 
 // Of large meshes about so many points are looked at; all or none of a row.
-constexpr std::size_t kPlaces = 65536;
+constexpr std::size_t kPlaces = 16384;
 std::uint64_t row_of(const Point3& turned) {
     std::uint64_t hash = std::bit_cast<std::uint64_t>(turned[0]) * 0x9E3779B97F4A7C15u;
     hash = (hash ^ hash >> 29 ^ std::bit_cast<std::uint64_t>(turned[1])) * 0xBF58476D1CE4E5B9u;

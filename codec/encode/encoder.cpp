@@ -131,7 +131,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         !mesh.attributes.empty() || !mesh.companions.empty() || options.keep_order;
     // Positions take most of the time; what else there is in the file may be made meanwhile.
     std::future<SectionBytes> positions = start(threads > 1 && has_more, [&] {
-        const CodedPositions all{*plan, complex, record, unused, edges};
+        const CodedPositions all = in_order(*plan, complex, record, unused, edges);
         const PositionFormat format =
             choose_format(all, options.fast, has_more ? std::max(1, threads - 1) : threads);
         return packed(write_positions(all, format), options.level);

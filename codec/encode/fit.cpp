@@ -65,7 +65,7 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
 
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored, bool along) {
-    constexpr std::size_t kVertices = 8192;  // of a configuration that are looked at, or a share
+    constexpr std::size_t kVertices = 2048;  // of a configuration that are looked at, or a share
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
     for (const Stencil& s : stencils)

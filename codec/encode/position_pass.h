@@ -18,15 +18,13 @@ void code_positions(Coder& coder, const CodedPositions& all, const PositionForma
             codes.copy(all.record.copy_of[i]);
             continue;
         }
-        const std::size_t p =
-            used ? all.complex.point[all.record.vertex_of[i]] : all.unused[i - all.vertices()];
         const Stencil stencil =
             used ? all.record.stencils[i]
                  : stencil_of_unused(all.edges, i - all.vertices(), all.vertices());
         if (coded(i))
-            codes.next(stencil, all.plan.values[p]);
+            codes.next(stencil, all.values[i]);
         else
-            codes.skip(stencil, all.plan.values[p]);
+            codes.skip(stencil, all.values[i]);
     }
 }
 

@@ -134,8 +134,22 @@ double step_over(const Array& positions, const Box& box, int bits) {
     return float32_above(box.longest / cells);
 }
 
-// How many coordinates have a mirror image about `centre`, to an eighth of a step.
-std::size_t mirrored_about(double centre, const std::vector<double>& sorted, double step) {
+// How many coordinates have a mirror image about `centre`, to an eighth of a step. Of many only
+// those in some of the layers about the centre are looked at: images are in the same.
+std::size_t mirrored_about(double centre, const std::vector<double>& values, double step) {
+    constexpr std::size_t kLooks = 8192;
+    constexpr double kLayer = 16, kOff = 0.137;  // in steps; no face of a layer is on the grid
+    const std::uint64_t share = values.size() / kLooks + 1;
+    const auto is_looked_at = [&](double x) {
+        const double layer = std::abs(x - centre) / (kLayer * step) + kOff;
+        if (!(layer < 0x1p62)) return false;
+        const std::uint64_t hash = static_cast<std::uint64_t>(layer) * 0x9E3779B97F4A7C15u;
+        return (hash >> 32) % share == 0;
+    };
+    std::vector<double> sorted;
+    for (const double x : values)
+        if (share == 1 || is_looked_at(x)) sorted.push_back(x);
+    std::sort(sorted.begin(), sorted.end());
     std::size_t count = 0;
     for (std::size_t i = 0, j = sorted.size(); i < j;) {
         const double sum = (sorted[i] - centre) + (sorted[j - 1] - centre);
@@ -154,13 +168,12 @@ double origin_on(const Array& positions, const Box& box, std::size_t axis, doubl
     const double middle = low + (high - low) / 2;
     double origin = std::abs(low / step) < 0x1p40 ? std::floor(low / step) * step : low;
     if (std::abs(middle) > step / 64 && std::isfinite(middle)) {
-        std::vector<double> sorted;
+        std::vector<double> values;
         for (std::size_t p = 0; p < positions.count(); ++p) {
             const double x = value_at(positions, 3 * p + axis);
-            if (x >= low && x <= high) sorted.push_back(x);
+            if (x >= low && x <= high) values.push_back(x);
         }
-        std::sort(sorted.begin(), sorted.end());
-        if (mirrored_about(middle, sorted, step) > mirrored_about(0, sorted, step))
+        if (mirrored_about(middle, values, step) > mirrored_about(0, values, step))
             origin = middle - std::ceil((middle - low) * 2 / step) * step / 2;
     }
     if (!std::isfinite(origin)) return low;
@@ -217,13 +230,6 @@ void place_exactly(const Array& positions, PositionPlan& plan) {
 }
 
 }  // namespace
-
-Point3 units_of(const PositionPlan& plan, std::size_t p) {
-    Point3 units;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        units[axis] = scaled_of(plan.format.numbers, plan.values[p][axis]).units;
-    return units;
-}
 
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options) {
     const Array& positions = mesh.positions;
@@ -291,7 +297,7 @@ std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan) {
     Point3 low{}, high{};
     std::array<bool, 3> any{};
     for (std::size_t p = 0; p < points; ++p) {
-        places[p] = units_of(plan, p);
+        places[p] = units_of(plan.format.numbers, plan.values[p]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (plan.values[p][axis].escaped) continue;
             low[axis] = any[axis] ? std::min(low[axis], places[p][axis]) : places[p][axis];

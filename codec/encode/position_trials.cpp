@@ -92,23 +92,23 @@ bool is_lattice(const WalkRecord& record) {
     return 2 * static_cast<std::size_t>(led) > record.stencils.size();
 }
 
-// About how many bytes that would make. Of large meshes a stretch of vertices in each three is
+// About how many bytes that would make. Of large meshes one in a few stretches of vertices is
 // looked at, of very large ones only as far as kMost.
 double try_out(const CodedPositions& all, const PositionFormat& format) {
-    constexpr std::size_t kStretch = 256, kAll = 8192, kMost = 131072;
+    constexpr std::size_t kStretch = 256, kWhole = 8192, kEnough = 4096, kMost = 131072;
     const std::size_t size = std::min(all.size(), kMost);
-    const bool whole = all.size() <= kAll;
+    const std::size_t stride =
+        all.size() <= kWhole ? 1 : std::clamp<std::size_t>(all.size() / kEnough, 3, 8);
     std::size_t count = 0;
     CountingCoder coder;
     code_positions(coder, all, format, size, [&](std::size_t i) {
-        const bool coded = whole || i / kStretch % 3 == 0;
+        const bool coded = i / kStretch % stride == 0;
         count += coded;
         return coded;
     });
     const double share =
         count == 0 ? 1 : static_cast<double>(all.size()) / static_cast<double>(count);
-    return static_cast<double>(position_head_of(format).size()) +
-           coder.bits / 8 * (whole ? 1 : share);
+    return static_cast<double>(position_head_of(format).size()) + coder.bits / 8 * share;
 }
 
 // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes the
@@ -118,6 +118,7 @@ constexpr std::size_t kLarge = 200000;  // and from which fewer things are tried
 constexpr double kWorth = 0.01;
 constexpr double kSlow = 0.02;      // of what costs more time
 constexpr double kHopeless = 1.02;  // where levels make more, pairs are no help either
+constexpr double kSurely = 0.9;     // where echoes make less, levels are no help without them
 
 // What is to be tried out beside what was kept so far, if anything.
 using Candidate = std::optional<PositionFormat>;
@@ -198,11 +199,10 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
     std::vector<bool> skip(vertices, false);
     firm.reserve(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
-        const std::size_t p = all.complex.point[record.vertex_of[v]];
-        const Position& value = all.plan.values[p];
+        const Position& value = all.values[v];
         skip[v] =
             record.copy_of[v] != kNone || value[0].escaped || value[1].escaped || value[2].escaped;
-        places[v] = units_of(all.plan, p);
+        places[v] = units_of(all.plan.format.numbers, value);
         if (!skip[v]) firm.push_back(places[v]);
     }
     PositionFormat first = all.plan.format;
@@ -225,7 +225,7 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
         std::count_if(record.stencils.begin(), record.stencils.end(),
                       [](const Stencil& s) { return s.configuration == Configuration::seed; });
     const Weights along_weights = may_go_along ? weights(true) : first.weights;
-    double level_ratio = 1;
+    double echo_ratio = 1, level_ratio = 1;
 
     // `when`: is there anything to try? `change`: what is other than in the format kept so far.
     const auto propose = [](auto when, auto change) {
@@ -243,7 +243,8 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
         return proposals.emplace_back(Proposal{propose(when, change), usual});
     };
     if (!echoes.likely.empty())
-        offer(kTaken, always, [&](PositionFormat& f) { f.echoes = echoes.likely; });
+        offer(kTaken, always, [&](PositionFormat& f) { f.echoes = echoes.likely; }).ratio =
+            &echo_ratio;
     if (!echoes.more.empty() && vertices < kLarge)
         offer(kRefused, always, [&](PositionFormat& f) {
             for (const Echo& echo : echoes.more)
@@ -275,7 +276,11 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
     pairs.worth = kSlow;
     // What was taken first may be no help beside it.
     offer(
-        kRefused, [](const PositionFormat& f) { return f.level_bits > 0 && !f.echoes.empty(); },
+        kRefused,
+        [&](const PositionFormat& f) {
+            return f.level_bits > 0 && !f.echoes.empty() &&
+                   (vertices < kSmall || echo_ratio > kSurely);
+        },
         [](PositionFormat& f) { f.echoes.clear(); });
     if (may_go_along)
         offer(kTaken, always, [&](PositionFormat& f) {

@@ -25,6 +25,15 @@ struct WritingCoder {
 
 }  // namespace
 
+CodedPositions in_order(const PositionPlan& plan, const Complex& complex, const WalkRecord& record,
+                        const std::vector<Index>& unused, const EdgePoints& edges) {
+    CodedPositions all{plan, complex, record, unused, edges, {}};
+    all.values.reserve(all.size());
+    for (const Id v : record.vertex_of) all.values.push_back(plan.values[complex.point[v]]);
+    for (const Index p : unused) all.values.push_back(plan.values[p]);
+    return all;
+}
+
 Bytes position_head_of(const PositionFormat& format) {
     ByteWriter out;
     unsigned fitted = 0;

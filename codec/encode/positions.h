@@ -21,9 +21,6 @@ struct PositionPlan {
 // a grid can't bring within max_error, are escaped. Error: a grid finer than can be held.
 Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& options);
 
-// The coordinates of a point, in units of its numbers.
-Point3 units_of(const PositionPlan& plan, std::size_t point);
-
 // Places of all points, as the walk will see them; for lossless tets this chooses the integers that
 // stand for the floats.
 std::vector<Point3> plan_places(const Mesh& mesh, PositionPlan& plan);
@@ -35,10 +32,13 @@ struct CodedPositions {
     const WalkRecord& record;
     const std::vector<Index>& unused;  // points as appended, those of edges first
     const EdgePoints& edges;
+    std::vector<Position> values;  // those of the plan, in that order
 
     std::size_t vertices() const { return record.vertex_of.size(); }
     std::size_t size() const { return vertices() + unused.size(); }
 };
+CodedPositions in_order(const PositionPlan& plan, const Complex& complex, const WalkRecord& record,
+                        const std::vector<Index>& unused, const EdgePoints& edges);
 
 // From `plan.format`, the format that makes the fewest bytes, but for what costs more time than it
 // is worth. `fast`: nothing is tried out. `threads`: how many trials may run at a time; the choice

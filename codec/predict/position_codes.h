@@ -256,17 +256,12 @@ class PositionCodes {
             border_ = along_border(stencil, e);
             plane_ = BorderPlane(border_, values_);
             if (!plane_.exists()) continue;
-            const bool along = Coder::kWrites && lies_along(border_, values_, value_of(truth));
+            const bool along =
+                Coder::kWrites && lies_along(border_, values_, units_of(format_.numbers, truth));
             if (coder_.flag(ResidualContexts::along.at(asked++, plane_.opening()), along))
                 return true;
         }
         return false;
-    }
-    Point3 value_of(const Position& truth) const {
-        Point3 value;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            value[axis] = scaled_of(format_.numbers, truth[axis]).units;
-        return value;
     }
 
     // The nearest vertex that any echo leads to. The echo that served last is enough while it leads

@@ -42,6 +42,13 @@ struct PositionFormat {
 // What is to be coded of a vertex.
 using Position = std::array<Number, 3>;
 
+inline Point3 units_of(const NumberFormat& format, const Position& position) {
+    Point3 units;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        units[axis] = scaled_of(format, position[axis]).units;
+    return units;
+}
+
 // The bits of an escaped coordinate.
 struct Escape {
     std::uint64_t bits = 0;

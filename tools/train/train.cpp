@@ -58,7 +58,7 @@ void learn_residuals(const Complex& complex, const Course& course, const Positio
                      Tally& into) {
     const std::vector<Index> unused;
     const EdgePoints edges;
-    const CodedPositions all{plan, complex, course.record, unused, edges};
+    const CodedPositions all = in_order(plan, complex, course.record, unused, edges);
     ResidualTape tape;
     code_positions(tape, all, choose_format(all, false, 1), all.size(),
                    [](std::size_t) { return true; });
