@@ -57,6 +57,22 @@ TEST_CASE("MEDIT triangles and quadrilaterals are cells where there are no tets"
     CHECK(trouble(text) == "");
 }
 
+TEST_CASE("a MEDIT mesh of two dimensions lies in the plane z = 0, and is written as it came",
+          "[io][medit]") {
+    const std::string text =
+        "MeshVersionFormatted 1\nDimension 2\nVertices\n4\n0 0 1\n1 0 0\n1 -0 0\n0 1 2\n"
+        "Quadrilaterals\n1\n1 2 3 4 5\nEdges\n1\n1 2 6\nEnd\n";
+    Result<Mesh> mesh = read_bytes("a.mesh", text);
+    REQUIRE(mesh);
+    CHECK(mesh->point_count() == 4);
+    CHECK(mesh->positions.as<float>()[3 * 3 + 1] == 1);
+    CHECK(mesh->positions.as<float>()[3 * 3 + 2] == 0);
+    CHECK(trouble(text) == "");
+    mesh->positions.as<float>()[2] = 1;
+    CHECK(trouble_coming_back(*mesh, "a.mesh").find("\"medit:dimension\" has no place") !=
+          std::string::npos);
+}
+
 TEST_CASE("MEDIT references of zero are no attribute", "[io][medit]") {
     CHECK(read_bytes("a.mesh", file("Tetrahedra 1\n1 2 3 4 0\n"))->attributes.empty());
 }
@@ -151,8 +167,9 @@ TEST_CASE("MEDIT refuses cells it cannot hold and reports an order it cannot kee
 
 TEST_CASE("wrong MEDIT files get one line that says where and what", "[io][medit]") {
     CHECK(error("").find("without a section Vertices") != std::string::npos);
-    CHECK(error("MeshVersionFormatted 2\nDimension 2\n") ==
-          "a.mesh:2: the mesh has dimension 2; only three dimensions are read");
+    CHECK(error("MeshVersionFormatted 2\nDimension 1\n").find("a.mesh:2: expected the dim") == 0);
+    CHECK(error("Vertices 1\n0 0 0 0\nDimension 2\n").find("comes after the vertices") !=
+          std::string::npos);
     CHECK(error("12 13\n") == "a.mesh:1: expected a keyword of a MEDIT mesh, found '12'");
     CHECK(error(file("Tetrahedra 1\n1 2 3 5 0\n")) ==
           "a.mesh:10: names vertex 5, but the file has 4");

@@ -20,6 +20,16 @@ TEST_CASE("OFF without points or faces comes back", "[io][off]") {
     CHECK(trouble("OFF 2 0 0\n0 0 0\n-0 nan 1e300\n") == "");
 }
 
+TEST_CASE("OFF comments may start right behind a number", "[io][off]") {
+    const std::string text =
+        "COFF # colours\n3 1 0#edges\n0 0 0 1 0 0#red\n1 0 0 0 0 1 #blue\n0 1 0 0 0 1#\n3 0 1 "
+        "2#f\n";
+    const Result<Mesh> mesh = read_bytes("a.off", text);
+    REQUIRE(mesh);
+    CHECK(io::find_attribute(*mesh, Place::point, "off:color")->values.count() == 3);
+    CHECK(trouble(text) == "");
+}
+
 TEST_CASE("OFF counts stand on the header line or the next, with or without the keyword",
           "[io][off]") {
     for (const char* text : {"OFF 1 1 0\n0 0 0\n1 0\n", "OFF\n# words\n1 1 0\n\n0 0 0\n1 0\n",

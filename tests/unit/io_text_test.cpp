@@ -30,6 +30,18 @@ TEST_CASE("words cross lines and skip comments, line words do not", "[io]") {
     CHECK(in.line_word().empty());
 }
 
+TEST_CASE("a word ends where a comment begins if the format says so", "[io]") {
+    TextReader in("1#one\n2.5# two\n#\n3 4", "t", {.comment = '#', .within_words = true});
+    CHECK(in.word() == "1");
+    CHECK(in.line_ended());
+    CHECK(in.peek() == "2.5");
+    CHECK(in.word() == "2.5");
+    CHECK(in.line_word().empty());
+    CHECK(in.word() == "3");
+    CHECK(in.line_word() == "4");
+    CHECK(TextReader("a#b", "t").word() == "a#b");
+}
+
 TEST_CASE("a backslash at the end of a line joins lines where the format says so", "[io]") {
     TextReader in("f 1 \\\n2\\\r\n 3\ng", "t", {.comment = '#', .continued_lines = true});
     for (const char* word : {"f", "1", "2", "3"}) CHECK(in.line_word() == word);

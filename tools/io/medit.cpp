@@ -51,7 +51,8 @@ struct Kept {
 
 class MeditReader {
   public:
-    MeditReader(std::string_view text, const std::string& path) : in_(text, path) {}
+    MeditReader(std::string_view text, const std::string& path)
+        : in_(text, path, {.within_words = true}) {}
     Result<Mesh> read();
 
   private:
@@ -71,6 +72,7 @@ class MeditReader {
 
     TextReader in_;
     Mesh mesh_;
+    int dimension_ = 3;
     bool has_vertices_ = false;
     std::vector<double> positions_;
     std::vector<std::int64_t> point_references_, cell_references_, companion_references_;
@@ -107,13 +109,14 @@ Status MeditReader::vertices() {
     if (has_vertices_) return in_.error("the section Vertices comes twice");
     has_vertices_ = true;
     Index n = 0;
-    if (Status status = count("Vertices", 4, n); !status) return status;
+    if (Status status = count("Vertices", static_cast<std::size_t>(dimension_) + 1, n); !status)
+        return status;
     positions_.reserve(3 * n);
     point_references_.reserve(n);
     for (Index i = 0; i < n; ++i) {
         for (int k = 0; k < 3; ++k) {
             double x = 0;
-            if (!in_.read(x))
+            if (k < dimension_ && !in_.read(x))
                 return in_.expected("a coordinate of vertex " + std::to_string(i + 1) + " of " +
                                     std::to_string(n));
             positions_.push_back(x);
@@ -187,11 +190,10 @@ Status MeditReader::keyword(const std::string& word) {
         return Done{};
     }
     if (same_word(word, "Dimension")) {
-        std::int64_t dimension = 0;
-        if (!in_.read(dimension)) return in_.expected("the dimension");
-        if (dimension != 3)
-            return in_.error("the mesh has dimension " + std::to_string(dimension) +
-                             "; only three dimensions are read");
+        if (!in_.read(dimension_) || dimension_ < 2 || dimension_ > 3)
+            return in_.expected("the dimension, 2 or 3");
+        if (has_vertices_) return in_.error("the dimension comes after the vertices");
+        if (dimension_ == 2) mesh_.notes.push_back({std::string(kMeditDimension), "2"});
         return Done{};
     }
     if (same_word(word, "Vertices")) return vertices();

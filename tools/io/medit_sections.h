@@ -17,6 +17,7 @@ struct MeditSection {
 };
 
 inline constexpr std::uint16_t kQuadraticTet = 24;
+inline constexpr std::string_view kMeditDimension = "medit:dimension";  // a note; absent means 3
 
 // The order of the nodes is VTK's: quadratic tetrahedra have the middles of the edges 01 12 20 03
 // 13 23 after their corners.

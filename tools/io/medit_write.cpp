@@ -1,6 +1,7 @@
 // MEDIT .mesh as text, writing. Each section comes once, as other programs ask for.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "io/attributes.h"
 #include "io/decimals.h"
@@ -13,6 +14,17 @@ namespace ravel::io {
 
 namespace {
 
+bool lies_in_plane(const Mesh& mesh) {
+    for (Index p = 0; p < mesh.point_count(); ++p) {
+        const std::size_t z = 3 * p + 2;
+        const double height = mesh.positions.scalar == Scalar::f32
+                                  ? static_cast<double>(mesh.positions.as<float>()[z])
+                                  : mesh.positions.as<double>()[z];
+        if (height != 0 || std::signbit(height)) return false;
+    }
+    return true;
+}
+
 class MeditWriter {
   public:
     MeditWriter(const Mesh& mesh, const std::string& path)
@@ -21,6 +33,7 @@ class MeditWriter {
     Status write(Sentences* sentences);
 
   private:
+    void append_head();
     const Attribute* references(Place place);
     void append_reference(const Attribute* attribute, Index element);
     void append_nodes(std::span<const Index> nodes);
@@ -37,6 +50,7 @@ class MeditWriter {
     const std::string& path_;
     LeftOut left_out_;
     std::string out_;
+    std::size_t dimension_ = 3;
     std::vector<Index> number_of_cell_;  // from 1 on in the section that it was written to
 };
 
@@ -76,7 +90,7 @@ void MeditWriter::append_vertices() {
     const Attribute* refs = references(Place::point);
     begin_section("Vertices", mesh_.point_count());
     for (Index p = 0; p < mesh_.point_count(); ++p) {
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < dimension_; ++k) {
             append_number(out_, mesh_.positions, 3 * p + k);
             out_ += ' ';
         }
@@ -289,9 +303,21 @@ void MeditWriter::append_kept() {
     }
 }
 
+// Two dimensions where the mesh was read from two, and still lies in that plane.
+void MeditWriter::append_head() {
+    if (find_note(mesh_, kMeditDimension) != nullptr && lies_in_plane(mesh_)) {
+        dimension_ = 2;
+        left_out_.take_notes(kMeditDimension);
+    }
+    out_ = "MeshVersionFormatted ";
+    out_ += mesh_.positions.scalar == Scalar::f32 ? '1' : '2';
+    out_ += "\nDimension ";
+    append_number(out_, dimension_);
+    out_ += '\n';
+}
+
 Status MeditWriter::write(Sentences* sentences) {
-    out_ = mesh_.positions.scalar == Scalar::f32 ? "MeshVersionFormatted 1\nDimension 3\n"
-                                                 : "MeshVersionFormatted 2\nDimension 3\n";
+    append_head();
     append_vertices();
     number_of_cell_.resize(mesh_.cell_count());
     if (mesh_.kind == CellKind::tet) {

@@ -78,7 +78,8 @@ struct Colors {
 
 class OffReader {
   public:
-    OffReader(std::string_view text, const std::string& path) : in_(text, path) {}
+    OffReader(std::string_view text, const std::string& path)
+        : in_(text, path, {.within_words = true}) {}
     Result<Mesh> read();
 
   private:

@@ -25,7 +25,8 @@ namespace {
 // Rows of numbers after a header line of counts.
 class TableReader {
   public:
-    TableReader(std::string_view text, const std::string& path) : in_(text, path) {}
+    TableReader(std::string_view text, const std::string& path)
+        : in_(text, path, {.within_words = true}) {}
 
     // The header's numbers; those after the first may be missing and keep their value.
     Status header(std::span<std::uint64_t> counts, const std::string& what) {

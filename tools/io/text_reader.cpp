@@ -105,7 +105,8 @@ void TextReader::skip_blanks_in_line() {
 
 std::string_view TextReader::word_here() {
     last_ = at_;
-    while (at_ != end_ && !is_blank(*at_)) ++at_;
+    const char stop = rules_.within_words ? rules_.comment : ' ';
+    while (at_ != end_ && !is_blank(*at_) && *at_ != stop) ++at_;
     // "1/2\" at the end of a line is the word "1/2" and a continuation.
     if (rules_.continued_lines && at_ - last_ > 1 && at_[-1] == '\\' && at_ != end_ &&
         (*at_ == '\r' || *at_ == '\n'))

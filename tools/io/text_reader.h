@@ -30,6 +30,7 @@ bool same_word(std::string_view a, std::string_view b);  // upper and lower case
 
 struct TextRules {
     char comment = '#';            // starts a comment that ends with its line; '\0' for none
+    bool within_words = false;     // it may start right behind a word: "0.9#red"
     bool continued_lines = false;  // a backslash at the end of a line joins the next one to it
 };
 
