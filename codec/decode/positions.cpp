@@ -6,7 +6,8 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     PositionFormat format;
     NumberFormat& numbers = format.numbers;
     format.narrow = head.position_scalar == Scalar::f32;
-    const std::uint8_t flags = in.u8(), fitted = in.u8();
+    const std::uint8_t flags = in.u8();
+    const std::uint64_t fitted = in.varint();
     format.has_escapes = (flags & 4) != 0;
     numbers.has_minus_zero = (flags & 8) != 0;
     format.has_levels = (flags & 128) != 0;
@@ -14,7 +15,8 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     format.has_along = (flags & 2) != 0;
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
-    bool sane = (!format.has_along || head.kind == CellKind::tet) && base <= 2 &&
+    bool sane = fitted < 2 * kNoTriangleDefaults &&
+                (!format.has_along || head.kind == CellKind::tet) && base <= 2 &&
                 (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
         const std::int64_t places = unzigzag(in.varint());
@@ -51,7 +53,8 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
         sane = sane && format.level_bits <= kMostLevelBits &&
                (format.level_bits > 0 || !format.has_pairs);
     }
-    for (std::size_t c = 0; c < kConfigurations; ++c)
+    if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
+    for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {
             const std::int64_t w = unzigzag(in.varint());
             sane = sane && w >= -32768 && w <= 32767;

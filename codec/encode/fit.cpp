@@ -61,27 +61,82 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
     return bits;
 }
 
+// Least absolute errors, or nearly, in steps that weights are stored in; `start` to begin with.
+Solution best_for(const std::vector<Sample>& samples, const Solution& start, std::size_t n,
+                  double unit) {
+    Solution w = start;
+    for (int round = 0; round < 5; ++round) {
+        std::array<std::array<double, kFeatures>, kFeatures> a{};
+        Solution b{};
+        for (const Sample& s : samples) {
+            const double weight = 1 / (std::abs(error_of(s, w, n)) + unit);
+            for (std::size_t i = 0; i < n; ++i) {
+                for (std::size_t j = i; j < n; ++j) a[i][j] += weight * s.x[i] * s.x[j];
+                b[i] += weight * s.x[i] * s.y;
+            }
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < i; ++j) a[i][j] = a[j][i];
+        w = solve(a, b, n);
+    }
+    Solution rounded{};
+    for (std::size_t i = 0; i < n; ++i) {
+        const double scaled = std::clamp(std::nearbyint(w[i] * 4096 / 4) * 4, -32000.0, 32000.0);
+        rounded[i] = std::isfinite(scaled) ? scaled / 4096 : start[i];
+    }
+    return rounded;
+}
+
+// The default weights of a set, none, or fitted ones, whichever cost least with what storing them
+// takes. The samples stand for `share` times as many.
+void choose(const std::vector<Sample>& samples, std::size_t n, double share,
+            std::array<std::int16_t, kFeatures>& weights) {
+    Solution preset{};
+    for (std::size_t i = 0; i < n; ++i) preset[i] = weights[i] / 4096.0;
+    std::vector<double> sizes;
+    for (const Sample& s : samples) sizes.push_back(std::abs(error_of(s, preset, n)));
+    // What counts as no error: a fraction of a unit, or of a large error.
+    const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::nth_element(sizes.begin(), large, sizes.end());
+    const double unit = std::max(*large / 4096, 0.25);
+    double least = share * cost_of(samples, preset, n, unit);
+    const auto offer = [&](const Solution& w, double bits_each) {
+        const double bits =
+            share * cost_of(samples, w, n, unit) + bits_each * static_cast<double>(n) + 8;
+        if (!(bits < least)) return;
+        least = bits;
+        for (std::size_t i = 0; i < n; ++i)
+            weights[i] = static_cast<std::int16_t>(std::lround(w[i] * 4096));
+    };
+    offer({}, 1);
+    if (samples.size() >= 24 * n) offer(best_for(samples, preset, n, unit), 16);
+}
+
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored, bool along) {
-    constexpr std::size_t kVertices = 2048;  // of a configuration that are looked at, or a share
+    constexpr std::size_t kVertices = 2048;  // of a set that are looked at, or a share
     Weights weights = kDefaultWeights;
-    std::array<std::size_t, kFeatureCount.size()> total{}, seen{};
+    std::array<std::size_t, kWeightSets> total{}, seen{};
     for (const Stencil& s : stencils)
-        if (s.configuration < Configuration::led)
-            ++total[static_cast<std::size_t>(s.configuration)];
-    total[static_cast<std::size_t>(Configuration::border)] =
-        total[static_cast<std::size_t>(Configuration::tet)];
-    std::array<std::vector<Sample>, kFeatureCount.size()> samples;
+        if (s.configuration < Configuration::led) ++total[weight_set_of(s)];
+    const auto stride_of = [&](const Stencil& s) {
+        // How many go on with a border is not known before it is looked at.
+        Stencil asked = s;
+        if (s.configuration == Configuration::border) asked.configuration = Configuration::tet;
+        return std::min<std::size_t>(total[weight_set_of(asked)] / kVertices, 31) + 1;
+    };
+    std::array<std::vector<Sample>, kWeightSets> samples;
+    std::array<std::size_t, kWeightSets> stride{};
     for (std::size_t v = 0; v < stencils.size(); ++v) {
         const Stencil stencil = along ? stencil_along(stencils[v], values, values[v]) : stencils[v];
         if (stencil.configuration == Configuration::seed ||
             stencil.configuration >= Configuration::led || (!skip.empty() && skip[v]))
             continue;
-        const auto c = static_cast<std::size_t>(stencil.configuration);
-        const std::size_t stride = std::min<std::size_t>(total[c] / kVertices, 31) + 1;
-        if (seen[c]++ % stride != 0) continue;
+        const std::size_t c = weight_set_of(stencil);
+        stride[c] = stride_of(stencil);
+        if (seen[c]++ % stride[c] != 0) continue;
         const Features f = features_of(stencil, values, mirrored);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             Sample sample;
@@ -94,44 +149,9 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
             if (std::isfinite(all)) samples[c].push_back(sample);
         }
     }
-    for (std::size_t c = 0; c < samples.size(); ++c) {
-        const std::size_t n = kFeatureCount[c];
-        if (samples[c].size() < 24 * n) continue;
-        Solution w{}, preset{};
-        for (std::size_t i = 0; i < n; ++i) preset[i] = kDefaultWeights[c][i] / 4096.0;
-        w = preset;
-        std::vector<double> sizes;
-        for (const Sample& s : samples[c]) sizes.push_back(std::abs(error_of(s, preset, n)));
-        // What counts as no error: a fraction of a unit, or of a large error.
-        const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
-        std::nth_element(sizes.begin(), large, sizes.end());
-        const double unit = std::max(*large / 4096, 0.25);
-        for (int round = 0; round < 5; ++round) {
-            std::array<std::array<double, kFeatures>, kFeatures> a{};
-            Solution b{};
-            for (const Sample& s : samples[c]) {
-                const double weight = 1 / (std::abs(error_of(s, w, n)) + unit);
-                for (std::size_t i = 0; i < n; ++i) {
-                    for (std::size_t j = i; j < n; ++j) a[i][j] += weight * s.x[i] * s.x[j];
-                    b[i] += weight * s.x[i] * s.y;
-                }
-            }
-            for (std::size_t i = 0; i < n; ++i)
-                for (std::size_t j = 0; j < i; ++j) a[i][j] = a[j][i];
-            w = solve(a, b, n);
-        }
-        Solution rounded{};
-        for (std::size_t i = 0; i < n; ++i) {
-            const double scaled =
-                std::clamp(std::nearbyint(w[i] * 4096 / 4) * 4, -32000.0, 32000.0);
-            rounded[i] = std::isfinite(scaled) ? scaled / 4096 : preset[i];
-        }
-        const double stored_bits = 16.0 * static_cast<double>(n) + 8;
-        if (cost_of(samples[c], rounded, n, unit) + stored_bits <
-            cost_of(samples[c], preset, n, unit))
-            for (std::size_t i = 0; i < n; ++i)
-                weights[c][i] = static_cast<std::int16_t>(std::lround(rounded[i] * 4096));
-    }
+    for (std::size_t c = 0; c < samples.size(); ++c)
+        if (!samples[c].empty())
+            choose(samples[c], kFeatureCount[c], static_cast<double>(stride[c]), weights[c]);
     return weights;
 }
 

@@ -92,6 +92,11 @@ bool is_lattice(const WalkRecord& record) {
     return 2 * static_cast<std::size_t>(led) > record.stencils.size();
 }
 
+bool has_triangles(const WalkRecord& record) {
+    return std::any_of(record.stencils.begin(), record.stencils.end(),
+                       [](const Stencil& s) { return s.configuration == Configuration::triangle; });
+}
+
 // About how many bytes that would make. Of large meshes one in a few stretches of vertices is
 // looked at, of very large ones only as far as kMost.
 double try_out(const CodedPositions& all, const PositionFormat& format) {
@@ -288,6 +293,12 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
             f.weights = along_weights;
         });
     if (seeds > 4) offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; });
+    // Where parts repeat, a guess from fewer points is carried over with fewer roundings.
+    if (has_triangles(record))
+        offer(
+            kRefused, [](const PositionFormat& f) { return f.has_follows || !f.echoes.empty(); },
+            [](PositionFormat& f) { f.weights = without_triangles(f.weights); })
+            .worth = 0;
     return Trials(all, first, threads).run(proposals);
 }
 

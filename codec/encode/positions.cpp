@@ -1,5 +1,7 @@
 #include "encode/positions.h"
 
+#include <bit>
+
 #include "encode/position_pass.h"
 #include "entropy/priors.h"
 #include "predict/priors.h"
@@ -23,6 +25,14 @@ struct WritingCoder {
     }
 };
 
+// A bit for each set of weights that is not as in `usual`.
+unsigned fitted_of(const Weights& weights, const Weights& usual) {
+    unsigned fitted = 0;
+    for (std::size_t c = 0; c < kWeightSets; ++c)
+        if (weights[c] != usual[c]) fitted |= 1u << c;
+    return fitted;
+}
+
 }  // namespace
 
 CodedPositions in_order(const PositionPlan& plan, const Complex& complex, const WalkRecord& record,
@@ -36,14 +46,14 @@ CodedPositions in_order(const PositionPlan& plan, const Complex& complex, const 
 
 Bytes position_head_of(const PositionFormat& format) {
     ByteWriter out;
-    unsigned fitted = 0;
-    for (std::size_t c = 0; c < kConfigurations; ++c)
-        if (format.weights[c] != kDefaultWeights[c]) fitted |= 1u << c;
+    unsigned fitted = fitted_of(format.weights, kDefaultWeights);
+    const unsigned beside = fitted_of(format.weights, without_triangles(kDefaultWeights));
+    if (std::popcount(beside) < std::popcount(fitted)) fitted = beside | kNoTriangleDefaults;
     out.u8(static_cast<std::uint8_t>(
         (format.has_follows ? 1 : 0) | (format.has_along ? 2 : 0) | (format.has_escapes ? 4 : 0) |
         (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
         (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
-    out.u8(static_cast<std::uint8_t>(fitted));
+    out.varint(fitted);
     if (!format.grid()) {
         out.varint(zigzag(format.numbers.places));
         out.u8(static_cast<std::uint8_t>(format.numbers.digits));
@@ -60,7 +70,7 @@ Bytes position_head_of(const PositionFormat& format) {
     }
     if (format.has_levels)
         out.u8(static_cast<std::uint8_t>(format.level_bits | (format.has_pairs ? 128 : 0)));
-    for (std::size_t c = 0; c < kConfigurations; ++c)
+    for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
     if (format.has_stand_ins) {

@@ -19,7 +19,8 @@ enum class Configuration : std::uint8_t {
     quad_third,   // quad, new corner follows b, the last one unknown too: [b a v_b u_a w_b w_a]
     quad_fourth,  // quad, last corner, third new: [a c b u_a v_b w_a w_b]
     quad_corner,  // quad, last corner, third from a zip: [a c b u_a v_b w_a w_b v_c u_b x_c x_b]
-    triangle,     // [a b u_a v_b]
+    triangle,     // [a b u_a v_b y x v_y u_x]: x is before a on the front and y behind b, and the
+                  // cells behind these sides have u_x beyond a and v_y beyond b
     polygon,  // other degrees: [previous corner, the one before, the one before that, next known]
     tet,      // [x0 x1 x2 o y0 y1 y2]: gate, the apex behind it, the apexes across its edges
     border,   // [a b y z]: a tet's that goes on with the border beyond edge a b, y being the apex
@@ -33,6 +34,7 @@ inline constexpr std::size_t kStencilSize = 12;
 struct Stencil {
     Configuration configuration = Configuration::seed;
     std::uint8_t borders = 0;  // tet: bit e if there is a border across edge e, opposite x_e
+    std::uint8_t variant = 0;  // triangle: by how many cells are known around a and b, below 10
     std::array<Id, kStencilSize> at = [] {
         std::array<Id, kStencilSize> none{};
         none.fill(kNone);

@@ -15,6 +15,9 @@
 
 namespace ravel {
 
+// Beside a bit for each set of weights that is told: those of triangles that are not are 0.
+inline constexpr unsigned kNoTriangleDefaults = 1u << kWeightSets;
+
 struct PositionFormat {
     NumberFormat numbers;
     bool narrow = true;         // float32

@@ -1,6 +1,8 @@
 // What the walk over surfaces knows around a new vertex.
 #pragma once
 
+#include <algorithm>
+
 #include "mesh/stencil.h"
 #include "walk/walk.h"
 
@@ -30,7 +32,6 @@ inline Stencil surface_stencil(const Walked& walked, Id base, Id n, Id i, Id rig
     const Id a = vertex[base], b = vertex[base + 1];
     const Id g = walked.twin[base];
     const Beyond u = beyond(walked, g);
-    if (n == 3) return stencil_of(Configuration::triangle, {a, b, u.start, u.end});
     if (n == 4) {
         const Beyond w = far_beyond(walked, g);
         if (right_end == 2) {  // side 1 zipped: corner 3 is new
@@ -55,6 +56,28 @@ inline Stencil surface_stencil(const Walked& walked, Id base, Id n, Id i, Id rig
     const Id z = i + 1 < n ? vertex[base + i + 1] : a;
     return stencil_of(Configuration::polygon, {vertex[base + i - 1], vertex[base + i - 2],
                                                i >= 3 ? vertex[base + i - 3] : u.start, z});
+}
+
+// Of the new vertex of a triangle, between the front facets `before` and `after` the gate's. The
+// more cells there are around an end of the gate (`around_a`, `around_b`), the more the next
+// vertex of the front tells: four leave room for two more in a regular mesh. The end with more of
+// them comes first as b, in a mirror image if need be.
+inline Stencil triangle_stencil(const Walked& walked, Id base, Id before, Id after,
+                                std::uint32_t around_a, std::uint32_t around_b) {
+    const auto class_of = [](std::uint32_t around) -> std::uint32_t {
+        return std::clamp<std::uint32_t>(around, 2, 5) - 2;
+    };
+    const Id a = walked.vertex[base], b = walked.vertex[base + 1];
+    const Id x = walked.vertex[walked.next_in_cell(before)], y = walked.vertex[after];
+    const Beyond u = beyond(walked, walked.twin[base]);
+    const Id v_y = beyond(walked, after).start, u_x = beyond(walked, before).end;
+    const std::uint32_t of_a = class_of(around_a), of_b = class_of(around_b);
+    Stencil stencil =
+        of_b < of_a ? stencil_of(Configuration::triangle, {b, a, u.end, u.start, x, y, u_x, v_y})
+                    : stencil_of(Configuration::triangle, {a, b, u.start, u.end, y, x, v_y, u_x});
+    const std::uint32_t high = std::max(of_a, of_b), low = std::min(of_a, of_b);
+    stencil.variant = static_cast<std::uint8_t>(high * (high + 1) / 2 + low);
+    return stencil;
 }
 
 }  // namespace ravel

@@ -254,6 +254,7 @@ class SurfaceWalk {
 
     // The corners between both zipped chains and the sides right_end .. left_end - 1.
     bool place_middle(Id base, Id n, Id right_end, Id left_end, Id after, Id before) {
+        const auto& vertex = walked_.vertex;
         const std::uint32_t dc = degree_class(n);
         const bool border_after = state_[after] == border, border_before = state_[before] == border;
         const Id middle = left_end - right_end - 1, side = base + right_end;
@@ -275,8 +276,10 @@ class SurfaceWalk {
             return place_corners(base, n, right_end, left_end, after, before, first_is_new,
                                  code_new);
         // One new corner between two new sides: by far the most frequent case.
-        if (!add_vertex(side + 1,
-                        surface_stencil(walked_, base, n, right_end + 1, right_end, left_end)))
+        if (!add_vertex(side + 1, n == 3 ? triangle_stencil(walked_, base, before, after,
+                                                            seen(vertex[base]), seen(vertex[side]))
+                                         : surface_stencil(walked_, base, n, side + 1 - base,
+                                                           right_end, left_end)))
             return false;
         near_border_end_ = false;
         make_front(side, kNone, false, true);

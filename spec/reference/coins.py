@@ -121,9 +121,9 @@ def make_positions_head(head):
         p.places = random.randrange(8) if p.base == DECIMAL else random.choice((0, 3, 24, 52, -5, 1000, -1000))
         p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
     has_echoes = coin(0.5)
-    fitted = random.getrandbits(8) & random.getrandbits(8)
+    fitted = random.getrandbits(18) & random.getrandbits(18)
     flags = p.has_follows | p.has_along << 1 | p.has_escapes << 2 | p.has_minus_zero << 3
-    out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7, fitted])
+    out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7]) + varint(fitted)
     if head.lossless:
         out += varint(zigzag(p.places)) + bytes([p.digits])
     if has_echoes:
@@ -139,14 +139,13 @@ def make_positions_head(head):
         p.level_bits = random.choice((0, 0, 1, 2, 4, 7, 12, 52))
         p.has_pairs = p.level_bits > 0 and coin(0.6)
         out += bytes([p.level_bits | p.has_pairs << 7])
-    p.weights = {}
-    for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
-        count = guesses.WEIGHT_COUNT[c]
-        p.weights[name] = guesses.DEFAULTS.get(name, [0] * count)
+    p.weights = []
+    for c, count in enumerate(guesses.WEIGHT_COUNT):
+        p.weights.append(guesses.default_weights(c, bool(fitted >> 17)))
         if fitted >> c & 1:
             most = random.choice((300, 4096, 32767))
-            p.weights[name] = [random.randint(-most, most) for _ in range(count)]
-            out += b"".join(varint(zigzag(w)) for w in p.weights[name])
+            p.weights[c] = [random.randint(-most, most) for _ in range(count)]
+            out += b"".join(varint(zigzag(w)) for w in p.weights[c])
     if head.tets and head.lossless:
         p.place_origin = tuple(random.uniform(-40, 0) for _ in range(3))
         p.place_scale = random.choice((1.0, 3.7, 0.01, -1.0, 1e5, float("nan")))

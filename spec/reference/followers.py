@@ -53,7 +53,7 @@ class Followers:
         """3: after v has its values."""
         self.last_in[(self.course >> 32) % self.H] = v
 
-    def says(self, v, leader, configuration, stencil, guess):
+    def says(self, v, leader, configuration, stencil, variant, guess):
         """4: whether v repeats; whole parts, values and coordinates."""
         positions = self.positions
         value = positions.value
@@ -70,16 +70,16 @@ class Followers:
             said = value[leader]
             coordinate = positions.coordinate[leader]
         else:
-            said = self.computed(leader, configuration, stencil, leaders, guess)
+            said = self.computed(leader, configuration, stencil, variant, leaders, guess)
         said = [clamp(x, -M, M) for x in said]
         whole = [positions.whole_of(x) for x in said]
         if positions.digits == 0 and not repeats:
             said = [float(x) for x in whole]
         return repeats, whole, said, coordinate
 
-    def computed(self, leader, configuration, stencil, leaders, guess):
+    def computed(self, leader, configuration, stencil, variant, leaders, guess):
         value = self.positions.value
-        missed = minus(value[leader], self.positions.guess(configuration, leaders))
+        missed = minus(value[leader], self.positions.guess(configuration, leaders, variant))
         q = plus(guess, missed)
         if configuration == "seed" or NONE in stencil[:3]:
             return q

@@ -8,12 +8,35 @@ from conventions import NONE, cross, divide, dot, length, minus, plus, times
 NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "border", "led", "edge")
 NUMBER = {name: i for i, name in enumerate(NAMES)}
 PLACES = 12  # of a stencil
-WEIGHT_COUNT = (2, 5, 6, 10, 3, 3, 7, 5)
+TRIANGLE_SET = 7  # the first of its ten
+WEIGHT_COUNT = (2, 5, 6, 10, 3, 7, 5) + 10 * (7,)  # per set
 DEFAULTS = {
-    "polygon": [2048, 0, 1024],
-    "tet": [0, -256, 1400, 800, 600, 2800, 0],
-    "border": [800, 0, 2400, 0, 0],
+    4: [2048, 0, 1024],
+    5: [0, -256, 1400, 800, 600, 2800, 0],
+    6: [800, 0, 2400, 0, 0],
+    7: [-1630, 84, -378, -37, -7, -33, 236],
+    8: [-2934, -527, -1097, 250, -88, -236, -283],
+    9: [-2678, -345, -634, 119, 134, -181, -188],
+    10: [-3751, -1091, -1927, 1548, -123, -919, -169],
+    11: [0, -416, -540, 408, 31, -386, -48],
+    12: [0, -1099, -1993, 1001, 888, -656, -494],
+    13: [0, -1011, -2649, 1871, -72, -673, -264],
+    14: [0, -1078, -2096, 1366, 288, -762, -393],
+    15: [0, -1008, -1883, 953, 721, -655, -480],
+    16: [0, -1445, -2619, 1257, 636, -588, -530],
 }
+_SET = {"seed": 0, "quad_third": 1, "quad_fourth": 2, "quad_corner": 3, "polygon": 4, "tet": 5, "border": 6}
+
+
+def default_weights(c, no_triangles):
+    if c not in DEFAULTS or (no_triangles and c >= TRIANGLE_SET):
+        return [0] * WEIGHT_COUNT[c]
+    return DEFAULTS[c]
+
+
+def set_of(configuration, variant):
+    """The number of its set of weights; None where it has none."""
+    return TRIANGLE_SET + variant if configuration == "triangle" else _SET.get(configuration)
 
 
 def _row(text):
@@ -35,7 +58,9 @@ ROWS = {
     "quad_corner": _rows(
         "1 1 -1", *_FOURTH,
         "0 1 -1 0 0 0 0 -1 1", "0 0 1 0 0 0 0 0 -1", "0 1 0 0 0 0 0 -2 0 1", "0 0 1 0 0 0 0 0 -2 0 1"),
-    "triangle": _rows("1 1 -1", "0 0 -1 1", "1 -1", "0 1 0 -1"),
+    "triangle": _rows(
+        "1 1 -1", "0 0 -1 1", "1 -1", "0 1 0 -1",
+        "0 -1 0 0 1", "-1 0 0 0 0 1", "0 -1 0 0 0 0 1", "-1 0 0 0 0 0 0 1"),
     "polygon": _rows("1", "1 -1", "0 1 -1", "-1 0 0 1"),
 }
 

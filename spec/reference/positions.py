@@ -31,7 +31,8 @@ def read_positions_head(data, head):
     p.has_levels = bool(flags & 128)
     require(p.base != 3 and (p.base == GRID) == (not head.lossless), "base")
     require(head.lossless or not p.has_minus_zero, "has_minus_zero of a grid")
-    fitted = bytes.u8()
+    fitted = bytes.varint()
+    require(fitted < 2**18, "fitted")
     if head.lossless:
         p.places = bytes.zigzag()
         p.digits = bytes.u8()
@@ -59,15 +60,14 @@ def read_positions_head(data, head):
         p.has_pairs = bool(levels & 128)
         require(p.level_bits <= 52, "level_bits")
         require(p.level_bits > 0 or not p.has_pairs, "has_pairs without level_bits")
-    p.weights = {}
-    for c, name in enumerate(guesses.NAMES[: len(guesses.WEIGHT_COUNT)]):
-        count = guesses.WEIGHT_COUNT[c]
+    p.weights = []
+    for c, count in enumerate(guesses.WEIGHT_COUNT):
         if fitted >> c & 1:
             weights = [bytes.zigzag() for _ in range(count)]
             require(all(-32768 <= w <= 32767 for w in weights), "a weight beyond 16 bits")
         else:
-            weights = guesses.DEFAULTS.get(name, [0] * count)
-        p.weights[name] = weights
+            weights = guesses.default_weights(c, bool(fitted >> 17))
+        p.weights.append(weights)
     if head.tets and head.lossless:
         bytes.error = "truncated"
         p.place_origin = (bytes.f64(), bytes.f64(), bytes.f64())
@@ -155,13 +155,14 @@ class Positions:
 
     # 8.3
 
-    def guess(self, configuration, stencil):
+    def guess(self, configuration, stencil, variant=0):
         if configuration == "edge":
             a, b = self.value[stencil[0]], self.value[stencil[1]]
             g = tuple((x + y) * 0.5 for x, y in zip(a, b))
         else:
+            c = guesses.set_of(configuration, variant)
             g = guesses.guess(
-                configuration, stencil, self.value, self.head.weights.get(configuration),
+                configuration, stencil, self.value, None if c is None else self.head.weights[c],
                 self.block.mirrored, self.block.leaders_move)
         g = tuple(clamp(x, -float(self.M), float(self.M)) for x in g)
         return tuple(to_24_digits(x) for x in g) if configuration == "edge" and self.rounds else g
@@ -171,7 +172,7 @@ class Positions:
 
     # 8.4
 
-    def read(self, configuration, stencil, borders=()):
+    def read(self, configuration, stencil, borders=(), variant=0):
         stencil = stencil + [NONE] * (guesses.PLACES - len(stencil))
         v = len(self.value)
         sizes = self.sizes
@@ -179,7 +180,7 @@ class Positions:
         near = stencil[2:5] if on_edge else stencil[:3]
         sizes.begin([p for p in near if p != NONE], NUMBER[configuration])
         # 1
-        guess = self.guess(configuration, stencil)
+        guess = self.guess(configuration, stencil, variant)
         w = [self.whole_of(x) for x in guess]
         # 2
         follows = repeats = False
@@ -189,7 +190,7 @@ class Positions:
             leader = self.followers.leader(v, stencil, self.prior)
             if leader != NONE:
                 repeats, whole_said, value_said, coordinate_said = self.followers.says(
-                    v, leader, configuration, stencil, guess)
+                    v, leader, configuration, stencil, variant, guess)
                 follows = self.followers.read(repeats)
         # 3
         echo = None

@@ -85,7 +85,7 @@ class Walk:
             flipped = self.flag("kFlip", self.flipped[-1] if self.flipped else 0)
         self.flipped.append(flipped)
 
-    def new_vertex(self, c, configuration, stencil, borders=()):
+    def new_vertex(self, c, configuration, stencil, borders=(), variant=0):
         """5.2"""
         v = self.vertex_count
         require(v < self.block.vertices, "a new vertex although there are `vertices`")
@@ -105,4 +105,4 @@ class Walk:
         if copied != NONE:
             self.positions.copy(copied)
         else:
-            self.positions.read(configuration, stencil, borders)
+            self.positions.read(configuration, stencil, borders, variant)

@@ -207,7 +207,7 @@ class SurfaceWalk(Walk):
                 gap[i] = next[g]
             elif self.flag("kNew", dc, r - 1, n - l, border_after + border_before):
                 fresh[i] = True
-                self.new_vertex(base + i, *self.stencil(gate, base, n, r, l, i))
+                self.new_vertex(base + i, *self.stencil(gate, base, n, r, l, i, before, after))
             else:
                 g = self.old_corner(base, before, after)
                 gap[i] = g
@@ -249,7 +249,7 @@ class SurfaceWalk(Walk):
             return self.beyond(t)
         return NONE, NONE
 
-    def stencil(self, gate, base, n, r, l, i):
+    def stencil(self, gate, base, n, r, l, i, before, after):
         def corner(j):
             return self.vertex[base + j]
 
@@ -258,7 +258,7 @@ class SurfaceWalk(Walk):
         u_start, u_end = self.beyond(gate)
         w_start, w_end = self.far(gate)
         if n == 3:
-            return "triangle", [a, b, u_start, u_end]
+            return self.triangle_stencil(a, b, u_start, u_end, before, after)
         if n == 4 and r == 2:
             t = self.twin[base + 1]
             v_start, v_end = self.beyond(t)
@@ -281,6 +281,19 @@ class SurfaceWalk(Walk):
             corner(i - 3) if i >= 3 else u_start,
             corner(i + 1) if i + 1 < n else a,
         ]
+
+    def triangle_stencil(self, a, b, u_start, u_end, before, after):
+        x = self.start(before)
+        y = self.end(after)
+        s = self.beyond(after)[0]
+        t = self.beyond(before)[1]
+        of_a = min(max(self.seen[a], 2), 5) - 2
+        of_b = min(max(self.seen[b], 2), 5) - 2
+        h = max(of_a, of_b)
+        variant = h * (h + 1) // 2 + min(of_a, of_b)
+        if of_a <= of_b:
+            return "triangle", [a, b, u_start, u_end, y, x, s, t], (), variant
+        return "triangle", [b, a, u_end, u_start, x, y, t, s], (), variant
 
     # 6.7
 

@@ -123,7 +123,7 @@ TEST_CASE("a lattice with holes, and one beside rough tets, come back") {
 
 TEST_CASE("levels of a grid cost once, whether neighbours have them or not") {
     // Steps of a 14-bit grid do not divide the sheet: each line is rounded in its own way.
-    CHECK(cost_of(made("grid:size=60x60,triangles"), 14).bits_per_cell < 0.25);
+    CHECK(cost_of(made("grid:size=60x60,triangles"), 14).bits_per_cell < 0.3);
     CHECK(cost_of(made("grid:size=60x60"), 14).bits_per_cell < 0.25);
 }
 

@@ -142,6 +142,14 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
+    add(41, "fitted", "weights of an eighteenth set",
+        raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
+            ByteWriter out;
+            out.u8(0);
+            out.varint(2 * kNoTriangleDefaults);
+            out.raw(std::span(raw).subspan(2));
+            raw = out.take();
+        }));
     const auto numbers = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         Position p;
         p[0].whole = x, p[1].whole = y, p[2].whole = z;

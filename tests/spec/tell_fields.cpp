@@ -63,7 +63,8 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
     format.narrow = head.position_scalar == Scalar::f32;
     format.mirrored = block.mirrored;
     format.leaders_move = block.leaders_move;
-    const unsigned flags = f.u8("flags"), fitted = f.u8("fitted");
+    const unsigned flags = f.u8("flags");
+    const std::uint64_t fitted = f.varint("fitted");
     format.has_escapes = (flags & 4) != 0;
     format.numbers.has_minus_zero = (flags & 8) != 0;
     format.numbers.base = static_cast<NumberBase>(flags >> 4 & 3);
@@ -93,7 +94,8 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
         format.level_bits = static_cast<int>(levels & 127);
         format.has_pairs = (levels & 128) != 0;
     }
-    for (std::size_t c = 0; c < kConfigurations; ++c)
+    if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
+    for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             format.weights[c][i] = static_cast<std::int16_t>(f.signed_varint("weight"));
     format.has_stand_ins = head.lossless && head.kind == CellKind::tet;

@@ -149,7 +149,10 @@ std::vector<Stencil> all_stencils() {
     add(C::quad_corner, {0, 1, 2, 3, 4, 5, 6, 7, 8});
     add(C::quad_corner, {0, 1, 2, 3, 4, 7, 8, 9, 10});
     add(C::quad_corner, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
-    add(C::triangle, {0, 1, 2, 3});
+    for (std::uint8_t variant = 0; variant < kTriangleVariants; ++variant) {
+        add(C::triangle, {0, 1, 2, 3, 4, 5, 6, 7});
+        all.back().variant = variant;
+    }
     add(C::polygon, {0, 1, 2});
     add(C::polygon, {0, 1, 2, 3});
     add(C::tet, {0, 1, 2, 3, 4, 5, 6});
@@ -171,7 +174,7 @@ TEST_CASE("a guess is the base and the weighted features") {
         const bool mirrored = round % 2 == 1;
         Predictor predictor(weights, mirrored);
         for (const Stencil& stencil : all_stencils()) {
-            const auto c = static_cast<std::size_t>(stencil.configuration);
+            const std::size_t c = weight_set_of(stencil);
             const Features f = features_of(stencil, values, mirrored);
             const Point3 guess = predictor.guess(stencil, values);
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -179,7 +182,7 @@ TEST_CASE("a guess is the base and the weighted features") {
                 for (std::size_t i = 0; i < kFeatureCount[c]; ++i)
                     want += weights[c][i] * f.feature[i][axis];
                 want = f.base[axis] + want / 4096;
-                INFO("configuration " << c);
+                INFO("weights " << c);
                 // Whole numbers are exact whatever the order of the sums.
                 if (stencil.configuration == Configuration::tet ||
                     stencil.configuration == Configuration::border)
