@@ -134,8 +134,9 @@ std::unique_ptr<draco::Mesh> draco_mesh_of(const Mesh& mesh, bool double_positio
                 result->attribute(positions)->SetPointMapEntry(
                     point, draco::AttributeValueIndex(static_cast<std::uint32_t>(corners[k])));
                 // All but the last triangle of a fan have an added edge opposite their second
-                // corner.
-                const bool added = k == 1 && t + 2 < cell.size();
+                // corner, all but the first one opposite their third. Draco's own reader marks
+                // both: where cells start alike, a vertex has the same mark all around.
+                const bool added = (k == 1 && t + 2 < cell.size()) || (k == 2 && t > 1);
                 if (marks >= 0)
                     result->attribute(marks)->SetPointMapEntry(
                         point, draco::AttributeValueIndex(added ? 1 : 0));
