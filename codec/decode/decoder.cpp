@@ -46,7 +46,7 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     const std::uint64_t per_corner =
         (file.head.kind == CellKind::tet ? 100 : 52) + (order ? 24 : 0);
     const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 772 : 716, per_edges = b.has_edge_points ? 168 : 0;
+                        per_vertex = order ? 776 : 720, per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
 }

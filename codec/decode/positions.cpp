@@ -1,5 +1,7 @@
 #include "decode/positions.h"
 
+#include "predict/follows.h"
+
 namespace ravel {
 
 Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
@@ -52,6 +54,10 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
         format.has_pairs = (look & 128) != 0;
         sane = sane && format.level_bits <= kMostLevelBits &&
                (format.level_bits > 0 || !format.has_pairs);
+    }
+    if (format.has_follows) {
+        format.lag = in.u8();
+        sane = sane && format.lag >= 1 && format.lag <= kMostLag;
     }
     if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
     for (std::size_t c = 0; c < kWeightSets; ++c)

@@ -6,6 +6,7 @@
 
 #include "encode/echoes.h"
 #include "encode/fit.h"
+#include "encode/lag.h"
 #include "encode/position_pass.h"
 #include "encode/threads.h"
 #include "entropy/priors.h"
@@ -292,7 +293,18 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
             f.has_along = true;
             f.weights = along_weights;
         });
-    if (seeds > 4) offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; });
+    if (seeds > 4) {
+        const int lag = best_lag(record, places, first);
+        offer(kTaken, always, [lag](PositionFormat& f) {
+            f.has_follows = true;
+            f.lag = lag;
+        });
+        if (lag > 1)
+            offer(
+                kRefused, [](const PositionFormat& f) { return f.has_follows; },
+                [](PositionFormat& f) { f.lag = 1; })
+                .worth = 0;
+    }
     // Where parts repeat, a guess from fewer points is carried over with fewer roundings.
     if (has_triangles(record))
         offer(

@@ -70,6 +70,7 @@ Bytes position_head_of(const PositionFormat& format) {
     }
     if (format.has_levels)
         out.u8(static_cast<std::uint8_t>(format.level_bits | (format.has_pairs ? 128 : 0)));
+    if (format.has_follows) out.u8(static_cast<std::uint8_t>(format.lag));
     for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));

@@ -1,6 +1,7 @@
 // Parts that repeat. Where the walk has gone since its last seed exactly as it went after an
 // earlier seed, a vertex follows the one at the same place of that course, its leader: its stencil
-// is the leader's, so many vertices later. What the leader's guess missed is carried over, turned
+// is the leader's, so many vertices later. The leader is not always the last: left and right leaves
+// take turns, and so do the arms of a lamp. What the leader's guess missed is carried over, turned
 // as the stencil has turned; so parts may be moved, turned and stretched.
 #pragma once
 
@@ -16,6 +17,13 @@
 
 namespace ravel {
 
+// Is there a vertex so much earlier for each of the stencil's?
+inline bool can_shift(const Stencil& stencil, Id by) {
+    bool can = true;
+    for (const Id v : stencil.at) can = can && (v == kNone || v >= by);
+    return can;
+}
+
 // The stencil `by` vertices earlier.
 inline Stencil shifted(const Stencil& stencil, Id by) {
     Stencil out = stencil;
@@ -24,12 +32,17 @@ inline Stencil shifted(const Stencil& stencil, Id by) {
     return out;
 }
 
-// The courses of all seeds so far, as hashes, and the last vertex that had each.
+inline constexpr int kMostLag = 16;
+
+// The courses of all seeds so far, as hashes, and the vertices that had each, last first. The
+// `lag`-th of these leads.
 class Courses {
   public:
-    explicit Courses(std::size_t vertices)
-        : last_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)), kNone) {
+    Courses(std::size_t vertices, int lag)
+        : lag_(lag),
+          last_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)), kNone) {
         hash_.reserve(vertices);
+        before_.reserve(vertices);
     }
 
     // The leader of vertex v, or none. Once per vertex that is coded. `prior`: what the vertex
@@ -51,14 +64,20 @@ class Courses {
         course_ ^= course_ >> 29;
         fresh_ = true;
         Id leader = last_[slot()];
+        for (int i = 1; i < lag_ && before(leader) != kNone; ++i) leader = before(leader);
         if (prior != kNone && prior + 1 < v && hash_[prior + 1] == course_) leader = prior + 1;
         if (leader == kNone || hash_[leader] != course_) return kNone;
-        bool within = true;
-        for (const Id p : stencil.at) within = within && (p == kNone || p >= v - leader);
-        return within ? leader : kNone;
+        return can_shift(stencil, v - leader) ? leader : kNone;
+    }
+    // The last vertex before `leader` with the course at hand, which that has, or none.
+    Id before(Id leader) const {
+        if (leader == kNone || hash_[leader] != course_) return kNone;
+        const Id other = before_[leader];
+        return other != kNone && hash_[other] == course_ ? other : kNone;
     }
     void insert(Id v) {
         hash_.push_back(fresh_ ? course_ : 0);
+        before_.push_back(fresh_ ? last_[slot()] : kNone);
         if (fresh_) last_[slot()] = v;
         fresh_ = false;
     }
@@ -75,7 +94,8 @@ class Courses {
         return static_cast<std::size_t>(course_ >> 32) & (last_.size() - 1);
     }
 
-    std::vector<Id> last_;
+    int lag_;
+    std::vector<Id> last_, before_;  // per slot; per vertex, that was last in its slot before
     std::vector<std::uint64_t> hash_;
     std::uint64_t course_ = 1;
     Id begin_ = 0;

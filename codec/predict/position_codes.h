@@ -39,7 +39,7 @@ class PositionCodes {
                                     : 64) {
         if (!format_.echoes.empty())
             index_.emplace(format_.cube_bits, format_.looks_far ? 1 : 0.5, vertices);
-        if (format_.has_follows) courses_.emplace(vertices);
+        if (format_.has_follows) courses_.emplace(vertices, format_.lag);
         most_ = format_.grid() ? kMostGrid : kMostWhole;
         keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
         is_plain_ = format_.grid() && !format_.has_escapes && !format_.has_levels &&
@@ -174,9 +174,10 @@ class PositionCodes {
     void skip(const Stencil& stencil, const Position& truth) {
         sizes_.begin(stencil);
         sizes_.push_half();
-        if (courses_ && stencil.configuration != Configuration::edge)
-            courses_->next(stencil, static_cast<Id>(values_.size()), kNone);
-        prior_ = kNone;
+        // As if it followed: what comes next may go on with the same part.
+        const bool has_course = courses_ && stencil.configuration != Configuration::edge;
+        prior_ =
+            has_course ? courses_->next(stencil, static_cast<Id>(values_.size()), prior_) : kNone;
         Point3 value{}, exact{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Scaled s = scaled_of(format_.numbers, truth[axis]);

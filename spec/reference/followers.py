@@ -15,6 +15,7 @@ class Followers:
         self.begin = 0
         self.course_of = []
         self.last_in = {}
+        self.before = {}  # the vertex that was last in its slot before
         self.before_was_seed = False
         self.history = 0
 
@@ -41,6 +42,11 @@ class Followers:
     def leader(self, v, stencil, prior):
         """3: the leader of v, or NONE."""
         leader = self.last_in.get((self.course >> 32) % self.H, NONE)
+        for _ in range(self.positions.head.lag - 1):
+            other = self.before.get(leader, NONE)
+            if other == NONE or self.course_of[leader] != self.course or self.course_of[other] != self.course:
+                break
+            leader = other
         if prior != NONE and prior + 1 < v and self.course_of[prior + 1] == self.course:
             leader = prior + 1
         if leader == NONE or self.course_of[leader] != self.course:
@@ -51,7 +57,9 @@ class Followers:
 
     def enter(self, v):
         """3: after v has its values."""
-        self.last_in[(self.course >> 32) % self.H] = v
+        slot = (self.course >> 32) % self.H
+        self.before[v] = self.last_in.get(slot, NONE)
+        self.last_in[slot] = v
 
     def says(self, v, leader, configuration, stencil, variant, guess):
         """4: whether v repeats; whole parts, values and coordinates."""

@@ -60,6 +60,10 @@ def read_positions_head(data, head):
         p.has_pairs = bool(levels & 128)
         require(p.level_bits <= 52, "level_bits")
         require(p.level_bits > 0 or not p.has_pairs, "has_pairs without level_bits")
+    p.lag = 1
+    if p.has_follows:
+        p.lag = bytes.u8()
+        require(1 <= p.lag <= 16, "lag")
     p.weights = []
     for c, count in enumerate(guesses.WEIGHT_COUNT):
         if fitted >> c & 1:

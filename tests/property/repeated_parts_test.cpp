@@ -89,6 +89,20 @@ TEST_CASE("parts that are moved cost little") {
     CHECK(share(place, false, true, 16) < 0.5);
 }
 
+TEST_CASE("parts of two or three shapes that take turns cost little, too") {
+    for (const int shapes : {2, 3}) {
+        const Placed place = [=](Point p, int part) {
+            // Each shape has the points elsewhere, and each point in its own way.
+            const auto rough = static_cast<int>(p[0] * 7 + p[1] * 13 + p[2] * 29);
+            const int off = rough * (part % shapes) % 61;
+            return Point{p[0] + 997 * part + off, p[1] + 31 * (part % 7) - off, p[2] + off % 17};
+        };
+        INFO(shapes << " shapes");
+        CHECK(share(place, false, true, {}) < 0.2);
+        CHECK(share(place, false, true, 16) < 0.3);
+    }
+}
+
 TEST_CASE("parts that are turned and stretched cost less") {
     const Placed place = [](Point p, int part) {
         const double c = 0.8 + 0.01 * part, s = 0.6 - 0.013 * part;

@@ -142,6 +142,18 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
+    const auto lag = [&](const char* name, const char* says, std::uint8_t value) {
+        add(41, name, says, raw_changed("two-quads", SectionId::positions, [=](Bytes& raw) {
+                ByteWriter out;
+                out.u8(1);
+                out.u8(0);
+                out.u8(value);
+                out.raw(std::span(raw).subspan(2));
+                raw = out.take();
+            }));
+    };
+    lag("lag-0", "lag is 0", 0);
+    lag("lag-17", "lag is 17", 17);
     add(41, "fitted", "weights of an eighteenth set",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;

@@ -146,6 +146,15 @@ std::vector<ValidFile> valid_files() {
                                        : 0) +
                    double(rough);
         }));
+    add("turns", "two rough sheets in turns, four times: the last but one leads",
+        with_coordinates(made("grid:size=4x3,copies=8"), [](std::size_t i, double) {
+            const std::size_t p = i / 3, part = p / 20, q = p % 20;
+            const std::size_t rough = ((q * 3 + i % 3) * 7919 + part % 2 * 104729) % 41;
+            return double(i % 3 == 0   ? q % 5 * 50 + part * 400
+                          : i % 3 == 1 ? q / 5 * 50 + part * 11
+                                       : 0) +
+                   double(rough * (1 + part % 2 * 3));
+        }));
     add_made("sphere", "fitted weights", "sphere:subdivide=4,bumps=0.2", bits(14));
     add_made("attributes", "attributes on points, cells and corners, names",
              "polygons:mixed,size=3x2,attributes", bits(6));
