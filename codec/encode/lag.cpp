@@ -15,7 +15,7 @@ std::uint64_t size_of(const Point3& missed) {
     std::uint64_t bits = 0;
     for (const double x : missed)
         bits += static_cast<std::uint64_t>(
-            std::bit_width(static_cast<std::uint64_t>(std::min(std::abs(x) + 0.5, 0x1p60))));
+            std::bit_width(static_cast<std::uint64_t>(std::min(0x1p60, std::abs(x) + 0.5))));
     return bits;
 }
 

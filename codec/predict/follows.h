@@ -69,7 +69,7 @@ class Courses {
         if (leader == kNone || hash_[leader] != course_) return kNone;
         return can_shift(stencil, v - leader) ? leader : kNone;
     }
-    // The last vertex before `leader` with the course at hand, which that has, or none.
+    // The vertex in the slot before `leader`, if both have the course at hand; or none.
     Id before(Id leader) const {
         if (leader == kNone || hash_[leader] != course_) return kNone;
         const Id other = before_[leader];
