@@ -108,7 +108,7 @@ void choose(const std::vector<Sample>& samples, std::size_t n, double share,
         for (std::size_t i = 0; i < n; ++i)
             weights[i] = static_cast<std::int16_t>(std::lround(w[i] * 4096));
     };
-    offer({}, 1);
+    if (preset != Solution{}) offer({}, 1);
     if (samples.size() >= 24 * n) offer(best_for(samples, preset, n, unit), 16);
 }
 

@@ -11,7 +11,7 @@ namespace ravel {
 // `values` are coordinates per vertex of the walk, in units; vertices with a stencil of
 // configuration `seed` and those in `skip` (non-empty: per vertex) are passed over. Weighted least
 // squares, reweighted towards least absolute error, on at most some four thousand vertices per
-// configuration. A configuration keeps the default weights where fitting does not pay for storing.
+// set of weights. A set keeps its defaults, or has none, where fitting does not pay for storing.
 // `along`: vertices near the plane of a border beside their gate are taken to be guessed from
 // there.
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,

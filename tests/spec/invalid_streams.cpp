@@ -118,20 +118,20 @@ void InvalidMaker::positions() {
     echo("cubes", "cube_bits is 53", echoes(1, 53, 0, 0));
     echo("mirrored", "mirrored is 8", echoes(1, 3, 8, 0));
     echo("offset", "an offset of 2^53 + 1", echoes(1, 3, 1, kMost + 1));
-    const auto levels = [](std::uint8_t value) {
-        return [=](Bytes& raw) {
-            ByteWriter out;
-            out.u8(128);
-            out.u8(0);
-            out.u8(value);
-            out.raw(std::span(raw).subspan(3));
-            raw = out.take();
-        };
+    // With flags, no weights, and what the first flag asks for.
+    const auto headed = [&](int row, const char* name, const char* says, std::uint8_t flags,
+                            std::uint8_t value) {
+        add(row, name, says, raw_changed("two-quads", SectionId::positions, [=](Bytes& raw) {
+                ByteWriter out;
+                out.u8(flags);
+                out.u8(0);
+                out.u8(value);
+                out.raw(std::span(raw).subspan(3));
+                raw = out.take();
+            }));
     };
-    add(40, "levels", "level_bits is 53",
-        raw_changed("two-quads", SectionId::positions, levels(53)));
-    add(40, "pairs", "has_pairs where level_bits is 0",
-        raw_changed("two-quads", SectionId::positions, levels(128)));
+    headed(40, "levels", "level_bits is 53", 128, 53);
+    headed(40, "pairs", "has_pairs where level_bits is 0", 128, 128);
     add(41, "weight", "a weight of 32768",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;
@@ -142,18 +142,8 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
-    const auto lag = [&](const char* name, const char* says, std::uint8_t value) {
-        add(41, name, says, raw_changed("two-quads", SectionId::positions, [=](Bytes& raw) {
-                ByteWriter out;
-                out.u8(1);
-                out.u8(0);
-                out.u8(value);
-                out.raw(std::span(raw).subspan(2));
-                raw = out.take();
-            }));
-    };
-    lag("lag-0", "lag is 0", 0);
-    lag("lag-17", "lag is 17", 17);
+    headed(41, "lag-0", "lag is 0", 1, 0);
+    headed(41, "lag-17", "lag is 17", 1, 17);
     add(41, "fitted", "weights of an eighteenth set",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;

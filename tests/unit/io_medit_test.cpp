@@ -68,6 +68,7 @@ TEST_CASE("a MEDIT mesh of two dimensions lies in the plane z = 0, and is writte
     CHECK(mesh->positions.as<float>()[3 * 3 + 1] == 1);
     CHECK(mesh->positions.as<float>()[3 * 3 + 2] == 0);
     CHECK(trouble(text) == "");
+    CHECK(read_bytes("a.mesh", "Dimension 2\n" + file(""))->notes.empty());
     mesh->positions.as<float>()[2] = 1;
     CHECK(trouble_coming_back(*mesh, "a.mesh").find("\"medit:dimension\" has no place") !=
           std::string::npos);

@@ -193,7 +193,6 @@ Status MeditReader::keyword(const std::string& word) {
         if (!in_.read(dimension_) || dimension_ < 2 || dimension_ > 3)
             return in_.expected("the dimension, 2 or 3");
         if (has_vertices_) return in_.error("the dimension comes after the vertices");
-        if (dimension_ == 2) mesh_.notes.push_back({std::string(kMeditDimension), "2"});
         return Done{};
     }
     if (same_word(word, "Vertices")) return vertices();
@@ -258,6 +257,7 @@ void MeditReader::build() {
                                      cells.references.end());
     }
     mesh_.positions = floats_from_text(positions_, 3);
+    if (dimension_ == 2) mesh_.notes.push_back({std::string(kMeditDimension), "2"});
 }
 
 // The cells a section's numbers are about; nullptr where these are points, companions or not there.
