@@ -153,7 +153,7 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) |
                                      (b.has_copies ? 4 : 0) | (b.mirrored ? 8 : 0) |
                                      (b.wants_mending ? 16 : 0) | (b.has_edge_points ? 32 : 0) |
-                                     (b.leaders_move ? 64 : 0)));
+                                     (b.leaders_move ? 64 : 0) | (b.has_precedents ? 128 : 0)));
     out.varint(b.cells);
     if (kind == CellKind::polygon) {
         out.varint(b.uniform_degree);
@@ -185,12 +185,13 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.wants_mending = (flags & 16) != 0;
     b.has_edge_points = (flags & 32) != 0;
     b.leaders_move = (flags & 64) != 0;
+    b.has_precedents = (flags & 128) != 0;
     b.cells = in.varint();
     constexpr Index kMost = 0xFFFFFFFEu;
-    if (flags > 127 ||
-        ((b.mirrored || b.has_edge_points || b.leaders_move) && kind != CellKind::tet) ||
+    if (((b.mirrored || b.has_edge_points || b.leaders_move) && kind != CellKind::tet) ||
+        (b.has_precedents && kind != CellKind::polygon) ||
         b.cells >= (kind == CellKind::tet ? kMostTets : kMost))
-        return bad("a block with more cells than a block may have, or flags of another version");
+        return bad("a block with more cells than a block may have, or flags of other cells");
     if (kind == CellKind::polygon) {
         b.uniform_degree = in.varint();
         if (b.uniform_degree >= kMost) return bad("cells with more corners than a block may have");

@@ -54,8 +54,9 @@ struct BlockHead {
     bool has_edge_points = false;  // tets: the first unused points are those of the edges
     Index grid_side = 1;           // tets: the walk's grid of vertices
     std::array<std::uint32_t, 3> grid_count{1, 1, 1};
-    Index shape_step = 0;       // tets: lengths that tell shapes of gates apart; 0: no leaders
-    bool leaders_move = false;  // tets: what they tell is moved, not mapped
+    Index shape_step = 0;         // tets: lengths that tell shapes of gates apart; 0: no leaders
+    bool leaders_move = false;    // tets: what they tell is moved, not mapped
+    bool has_precedents = false;  // polygons: answers of the walk are asked for by those before
 };
 
 // The vertex grid has its cubes in blocks of 4 x 4 x 4, so many of a block with so many vertices.

@@ -43,10 +43,12 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
     const BlockHead& b = file.block;
     const bool order = file.head.keeps_order;  // then there are two meshes for a while
     // Of tets, 32 bytes are for a front that hostile vertices crowd (see OpenTriangles).
-    const std::uint64_t per_corner =
-        (file.head.kind == CellKind::tet ? 100 : 52) + (order ? 24 : 0);
-    const std::uint64_t per_cell = (order ? 192 : 80) + (steps ? 112 : 0),
-                        per_vertex = order ? 776 : 720, per_edges = b.has_edge_points ? 168 : 0;
+    const std::uint64_t per_corner = (file.head.kind == CellKind::tet ? 100 : 52) +
+                                     (order ? 24 : 0) + (b.has_precedents ? 6 : 0);
+    const std::uint64_t per_cell =
+                            (order ? 192 : 80) + (steps ? 112 : 0) + (b.has_precedents ? 6 : 0),
+                        per_vertex = (order ? 776 : 720) + (b.has_copies ? 40 : 0),
+                        per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
 }
@@ -124,10 +126,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     DecodeDriver driver(codes, positions, position_bits,
                         tets ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
                              : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen),
-                        tets ? tet::kCopy.base : surface::kCopy.base,
-                        tets ? tet::kCopyOf.base : surface::kCopyOf.base,
-                        tets ? tet::kFlip.base : surface::kFlip.base, block.has_copies,
-                        block.has_flips, needs_stencils(file.head));
+                        file.head.kind, block, needs_stencils(file.head));
     Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();

@@ -2,14 +2,17 @@
 // way.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "base/bytes.h"
+#include "container/head.h"
 #include "entropy/flag_decoder.h"
 #include "entropy/priors.h"
 #include "mesh/stencil.h"
 #include "predict/position_codes.h"
 #include "predict/priors.h"
+#include "walk/copies.h"
+#include "walk/precedents.h"
 #include "walk/walk.h"
 
 namespace ravel {
@@ -28,22 +31,26 @@ struct ReadingCoder {
 class DecodeDriver {
   public:
     DecodeDriver(std::span<const std::byte> codes, PositionCodes<ReadingCoder>& positions,
-                 const FlagDecoder& position_bits, std::vector<FlagModel> models, Context copy,
-                 Context copy_number, Context flip, bool has_copies, bool has_flips,
-                 bool keeps_stencils)
+                 const FlagDecoder& position_bits, std::vector<FlagModel> models, CellKind kind,
+                 const BlockHead& block, bool keeps_stencils)
         : in_(codes),
           positions_(positions),
           position_bits_(position_bits),
           models_(std::move(models)),
-          copy_(copy),
-          copy_number_(copy_number),
-          flip_(flip),
-          has_copies_(has_copies),
-          has_flips_(has_flips),
+          copies_(kind, block.has_copies ? block.vertices : 0),
+          flip_(kind == CellKind::tet ? tet::kFlip.base : surface::kFlip.base),
+          has_copies_(block.has_copies),
+          has_flips_(block.has_flips),
           has_stand_ins_(positions.format().has_stand_ins),
-          keeps_stencils_(keeps_stencils) {}
+          keeps_stencils_(keeps_stencils) {
+        if (block.has_precedents) precedents_.emplace(block.cells, block.corners);
+    }
 
-    bool flag(Context context, bool) { return in_.flag(models_[context]); }
+    bool flag(Context context, bool) {
+        const auto read = [&](FlagModel& model, bool) { return in_.flag(model); };
+        return precedents_ ? precedents_->flag(models_, context, false, read)
+                           : in_.flag(models_[context]);
+    }
     std::uint64_t number(Context base, std::uint64_t) {
         std::uint32_t bits = 1;
         while (bits < kNumberSteps && flag(base + bits - 1, false)) ++bits;
@@ -52,7 +59,9 @@ class DecodeDriver {
     bool failed() const { return bad_ || in_.exhausted() || position_bits_.exhausted(); }
     bool finished() const { return in_.finished() && position_bits_.finished(); }
 
-    void begin_cell(Id) {}
+    void begin_cell(Id gate) {
+        if (precedents_) precedents_->begin_cell(gate == kNone);
+    }
     void new_vertex(Id vertex, Id, const Stencil& stencil) {
         code_vertex(vertex, stencil);
         if (has_stand_ins_)
@@ -68,7 +77,7 @@ class DecodeDriver {
     }
 
     // Per vertex the earlier one at the same point, or kNone; empty where there are no copies.
-    const std::vector<Id>& copy_of() const { return copy_of_; }
+    const std::vector<Id>& copy_of() const { return copies_.of(); }
     const std::vector<std::uint8_t>& flipped() const { return flipped_; }
     // Of the vertices that are no copies, where they are kept.
     std::vector<Stencil> take_stencils() { return std::move(stencils_); }
@@ -85,21 +94,12 @@ class DecodeDriver {
 
   private:
     void code_vertex(Id vertex, const Stencil& stencil) {
-        Id of = kNone;
-        if (has_copies_ && (last_was_copy_ = flag(copy_ + last_was_copy_, false))) {
-            const std::int64_t first = static_cast<std::int64_t>(
-                last_copied_ + static_cast<std::uint64_t>(unzigzag(number(copy_number_, 0))));
-            if (first < 0 || first >= static_cast<std::int64_t>(vertex) ||
-                copy_of_[static_cast<std::size_t>(first)] != kNone) {
-                bad_ = true;
-                positions_.next({}, {});
-                copy_of_.push_back(kNone);
-                return;
-            }
-            of = static_cast<Id>(first);
-            last_copied_ = of;
+        const Id of = has_copies_ ? copies_.next(*this, vertex, stencil, kNone) : kNone;
+        if (of == vertex) {
+            bad_ = true;
+            positions_.next({}, {});
+            return;
         }
-        if (has_copies_) copy_of_.push_back(of);
         if (of != kNone) {
             positions_.copy(of);
             return;
@@ -112,14 +112,14 @@ class DecodeDriver {
     PositionCodes<ReadingCoder>& positions_;
     const FlagDecoder& position_bits_;
     std::vector<FlagModel> models_;
-    const Context copy_, copy_number_, flip_;
+    std::optional<Precedents> precedents_;
+    Copies copies_;
+    const Context flip_;
     const bool has_copies_, has_flips_, has_stand_ins_, keeps_stencils_;
     std::vector<Stencil> stencils_;
     std::vector<Point3> places_;
-    std::vector<Id> copy_of_;
     std::vector<std::uint8_t> flipped_;
-    std::uint64_t last_copied_ = 0;
-    bool last_was_copy_ = false, last_flip_ = false, bad_ = false;
+    bool last_flip_ = false, bad_ = false;
 };
 
 }  // namespace ravel

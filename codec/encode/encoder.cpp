@@ -8,6 +8,7 @@
 #include "container/sections.h"
 #include "encode/attributes.h"
 #include "encode/companions.h"
+#include "encode/connectivity.h"
 #include "encode/course.h"
 #include "encode/edge_points.h"
 #include "encode/order.h"
@@ -118,8 +119,9 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const Complex& complex = *built;
     CoursePlan course_plan = plan_course(mesh, complex, *plan);
     BlockHead& block = course_plan.block;
-    WalkCodes codes;
-    codes.models = walk_models(mesh.kind);
+    Answers answers;
+    const bool keeps_answers = mesh.kind == CellKind::polygon && !options.fast;
+    WalkCodes codes{{}, walk_models(mesh.kind), keeps_answers ? &answers : nullptr};
     const Course course = run_course(complex, course_plan, codes);
     const WalkRecord& record = course.record;
     Reorder order = reorder_of(mesh, complex, record);
@@ -148,12 +150,24 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         companions = write_companions(on_strip, course.walked, edges, order);
     Encoded encoded;
     encoded.strip = {block.components, strip.links, strip.open_strips, strip.added_cells};
-    encoded.connectivity_ideal_bytes = codes.out.ideal_bits() / 8;
     encoded.position_bound = plan->bound;
     encoded.position_error = plan->error;
     for (const AttributeGrid& grid : grids) encoded.attribute_bounds.push_back(grid.bound);
     encoded.order = maps_of(order, mesh, options.keep_order);
     map_companions(order, options.keep_order, encoded.order);
+
+    SectionBytes attributes, kept_order;
+    if (!mesh.attributes.empty())
+        attributes = packed(write_attributes(on_strip.ground(course.walked), companions.marked,
+                                             grids, order.old_tuple),
+                            options.level);
+    if (options.keep_order)
+        kept_order = packed(write_order(on_strip.ground(course.walked), companions.turned, order),
+                            options.level);
+    const SectionBytes places = positions.get();
+    Connectivity connectivity =
+        choose_connectivity(codes, answers, places.packed.size(), options.level, block);
+    encoded.connectivity_ideal_bytes = connectivity.ideal_bits / 8;
 
     ByteWriter out;
     out.raw(kMagic);
@@ -166,16 +180,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     };
     packed_section(SectionId::head, write_head(head_of(mesh, *plan, grids, options)));
     packed_section(SectionId::block, write_block_head(block, mesh.kind));
-    packed_section(SectionId::connectivity, codes.out.finish());
-    SectionBytes attributes, kept_order;
-    if (!mesh.attributes.empty())
-        attributes = packed(write_attributes(on_strip.ground(course.walked), companions.marked,
-                                             grids, order.old_tuple),
-                            options.level);
-    if (options.keep_order)
-        kept_order = packed(write_order(on_strip.ground(course.walked), companions.turned, order),
-                            options.level);
-    section(SectionId::positions, positions.get());
+    packed_section(SectionId::connectivity, std::move(connectivity.bytes));
+    section(SectionId::positions, places);
     if (!mesh.companions.empty())
         packed_section(SectionId::companions, std::move(companions.section));
     if (!mesh.attributes.empty()) section(SectionId::attributes, attributes);

@@ -5,10 +5,12 @@
 #include <bit>
 #include <vector>
 
+#include "encode/answers.h"
 #include "encode/seeds.h"
 #include "entropy/flag_encoder.h"
 #include "mesh/complex.h"
 #include "mesh/point3.h"
+#include "walk/copies.h"
 #include "walk/gate_shapes.h"
 #include "walk/tet_front.h"
 #include "walk/walk.h"
@@ -28,9 +30,19 @@ struct WalkRecord {
 struct WalkCodes {
     FlagEncoder out;
     std::vector<FlagModel> models;
+    Answers* record = nullptr;  // where they are kept besides, if at all
 
-    void flag(Context context, bool truth) { out.flag(models[context], truth); }
-    void plain(std::uint64_t truth, int count) { out.plain(truth, count); }
+    void begin_cell(bool seed) {
+        if (record) record->begin_cell(seed);
+    }
+    void flag(Context context, bool truth) {
+        if (record) record->flag(context, truth);
+        out.flag(models[context], truth);
+    }
+    void plain(std::uint64_t truth, int count) {
+        if (record) record->plain(truth, count);
+        out.plain(truth, count);
+    }
 };
 
 // What the walk is to follow: where it starts in each component, and where the points are.
@@ -42,13 +54,12 @@ struct WalkPlan {
 template <class Codes>
 class EncodeDriver {
   public:
-    EncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, Context copy,
-                 Context copy_number, Context flip, bool has_copies, bool has_flips)
+    EncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, CellKind kind,
+                 Context flip, bool has_copies, bool has_flips)
         : complex_(complex),
           plan_(plan),
           codes_(codes),
-          copy_(copy),
-          copy_number_(copy_number),
+          copies_(kind, has_copies ? complex.point.size() : 0),
           flip_(flip),
           has_copies_(has_copies),
           has_flips_(has_flips),
@@ -81,7 +92,7 @@ class EncodeDriver {
         walk_vertex_[source] = vertex;
         record_.vertex_of.push_back(source);
         record_.stencils.push_back(stencil);
-        const Id of = has_copies_ ? code_copy(vertex, point) : kNone;
+        const Id of = has_copies_ ? code_copy(vertex, point, stencil) : kNone;
         record_.copy_of.push_back(of);
         places_.push_back(of != kNone ? places_[of] : plan_.places[point]);
     }
@@ -109,7 +120,8 @@ class EncodeDriver {
     const Complex& complex_;
     const WalkPlan& plan_;
     Codes& codes_;
-    const Context copy_, copy_number_, flip_;
+    Copies copies_;
+    const Context flip_;
     const bool has_copies_, has_flips_;
     std::vector<Id> walk_vertex_;     // complex vertex -> walk vertex
     std::vector<Id> walk_facet_;      // complex facet -> walk facet
@@ -121,20 +133,16 @@ class EncodeDriver {
 
   private:
     // The earlier vertex at the same point, or kNone.
-    Id code_copy(Id vertex, Id point) {
+    Id code_copy(Id vertex, Id point, const Stencil& stencil) {
         Id& first = first_at_point_[point];
-        last_was_copy_ = flag(copy_ + last_was_copy_, first != kNone);
-        if (last_was_copy_) {
-            number(copy_number_, zigzag(std::int64_t{first} - last_copied_));
-            return last_copied_ = first;
-        }
+        copies_.next(*this, vertex, stencil, first);
+        if (first != kNone) return first;
         first = vertex;
         return kNone;
     }
 
     std::size_t next_seed_ = 0;
-    Id last_copied_ = 0;
-    bool last_was_copy_ = false, last_flip_ = false;
+    bool last_flip_ = false;
 };
 
 template <class Codes>
@@ -146,10 +154,10 @@ class SurfaceEncodeDriver : public EncodeDriver<Codes> {
   public:
     SurfaceEncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, bool copies,
                         bool flips)
-        : Base(complex, plan, codes, surface::kCopy.base, surface::kCopyOf.base,
-               surface::kFlip.base, copies, flips) {}
+        : Base(complex, plan, codes, CellKind::polygon, surface::kFlip.base, copies, flips) {}
 
     void begin_cell(Id gate) {
+        this->codes_.begin_cell(gate == kNone);
         Seed start;
         if (gate == kNone) {
             start = this->next_seed();
@@ -197,8 +205,7 @@ class TetEncodeDriver : public EncodeDriver<Codes> {
   public:
     TetEncodeDriver(const Complex& complex, const WalkPlan& plan, Codes& codes, bool copies,
                     bool flips)
-        : Base(complex, plan, codes, tet::kCopy.base, tet::kCopyOf.base, tet::kFlip.base, copies,
-               flips) {}
+        : Base(complex, plan, codes, CellKind::tet, tet::kFlip.base, copies, flips) {}
 
     void begin_cell(Id gate) {
         if (gate == kNone) {

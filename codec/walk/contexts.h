@@ -20,10 +20,12 @@ inline constexpr ContextBlock kOldSteps{kOldSide.end(), kNumberSteps};
 inline constexpr ContextBlock kOldFar{kOldSteps.end(), kNumberSteps};
 inline constexpr ContextBlock kBorder{kOldFar.end(), 2, 2, 3,
                                       3};  // front border at start, end; kind of vertices
-inline constexpr ContextBlock kFlip{kBorder.end(), 2};  // last cell's
-inline constexpr ContextBlock kCopy{kFlip.end(), 2};    // last vertex's
-inline constexpr ContextBlock kCopyOf{kCopy.end(), kNumberSteps};
-inline constexpr Context kContexts = kCopyOf.end();
+inline constexpr ContextBlock kFlip{kBorder.end(), 2};          // last cell's
+inline constexpr ContextBlock kCopy{kFlip.end(), 2, 6};         // last vertex's, neighbours
+inline constexpr ContextBlock kCopyNear{kCopy.end(), 5, 3, 2};  // rank, distance, is it the last?
+inline constexpr ContextBlock kCopyOf{kCopyNear.end(), kNumberSteps};
+inline constexpr ContextBlock kPrecedent{kCopyOf.end(), 4, 2, 3};  // agreed, likely, how sure
+inline constexpr Context kContexts = kPrecedent.end();
 }  // namespace surface
 
 namespace tet {
@@ -39,8 +41,9 @@ inline constexpr ContextBlock kGlue{kOldFar.end(), 2};
 inline constexpr ContextBlock kBorder{kGlue.end(), 7, 4, 3,
                                       4};  // flatness, border vertices, apex, borders beside
 inline constexpr ContextBlock kFlip{kBorder.end(), 2};
-inline constexpr ContextBlock kCopy{kFlip.end(), 2};
-inline constexpr ContextBlock kCopyOf{kCopy.end(), kNumberSteps};
+inline constexpr ContextBlock kCopy{kFlip.end(), 2, 6};
+inline constexpr ContextBlock kCopyNear{kCopy.end(), 5, 3, 2};
+inline constexpr ContextBlock kCopyOf{kCopyNear.end(), kNumberSteps};
 inline constexpr ContextBlock kLed{kCopyOf.end(), 16, 4, 2,
                                    4};  // the leader's misses, those of all; new? mismatch
 inline constexpr Context kContexts = kLed.end();

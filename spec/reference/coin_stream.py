@@ -4,6 +4,20 @@ import random
 
 from conventions import width
 from flags import RUN_OF, Models
+from precedents import Precedents
+
+
+class CoinPrecedents(Precedents):
+    """Where the next flag is chosen, whether the precedent agrees follows from it."""
+
+    def agrees(self, t, context):
+        if self.stream.chosen is not None:
+            self.stream.chosen = self.stream.chosen == t
+        return super().agrees(t, context)
+
+    def enter(self, is_seed):
+        self.stream.events.append(("cell", is_seed))
+        super().enter(is_seed)
 
 
 class CoinStream(Models):
@@ -12,34 +26,52 @@ class CoinStream(Models):
     def __init__(self, kind, chances):
         super().__init__(kind)
         self.chances = chances
+        self.moods = (0.03, 0.2, 0.5, 0.8, 0.97, -1, -1)  # of blocks that `chances` does not have
         self.noted = []  # (class, missed) of a flag, (None, bits as text)
         self.wanted = None  # the next residual, where it is not by chance
+        self.chosen = None  # the next flag, likewise
+        self.precedents = None
+        self.events = []  # what was read and which cells were entered, for `again`
 
     def toss(self, name, likely):
         chance = self.chances.get(name)
         if chance is None:
-            chance = self.chances[name] = random.choice((0.03, 0.2, 0.5, 0.8, 0.97, -1, -1))
+            chance = self.chances[name] = random.choice(self.moods)
         if chance < 0:  # mostly what the model expects
             return likely if random.random() < 0.9 else not likely
         return random.random() < chance
 
     def note_flag(self, block, coordinates, answer):
+        self.chosen = bool(answer)
+        return self.flag(block, *coordinates)
+
+    def flag(self, block, *coordinates):
         context = block(*coordinates)
+        if self.precedents:
+            answer = self.precedents.flag(block, context)
+        else:
+            answer = self.read(block, context)
+        self.events.append(("flag", block, coordinates, answer))
+        return answer
+
+    def read(self, block, context):
+        self.used[block.name] = self.used.get(block.name, 0) + 1
         likely, c = self.expect(context)
+        answer = bool(self.toss(block.name, likely)) if self.chosen is None else self.chosen
+        self.chosen = None
         self.noted.append((c, answer != likely))
         self.update(context, answer)
         return answer
 
-    def flag(self, block, *coordinates):
-        self.used[block.name] = self.used.get(block.name, 0) + 1
-        likely, _ = self.expect(block(*coordinates))
-        return self.note_flag(block, coordinates, bool(self.toss(block.name, likely)))
-
     def plain(self, n, value=None):
         if value is None:
             value = random.getrandbits(n)
-        self.noted.append((None, bin(int(value))[2:].zfill(n) if n else ""))
+        self.note_bits(bin(int(value))[2:].zfill(n) if n else "")
         return value
+
+    def note_bits(self, bits):
+        self.noted.append((None, bits))
+        self.events.append(("bits", bits))
 
     def number(self, block, value=None):
         if value is None:
@@ -57,7 +89,7 @@ class CoinStream(Models):
 
     def below(self, s):
         value = random.randrange(s)
-        self.noted.append((None, below(s, value)))
+        self.note_bits(below(s, value))
         return value
 
     def residual(self, context, bits):
@@ -91,6 +123,19 @@ class CoinStream(Models):
 
     def end(self):
         pass
+
+    def again(self, block):
+        """The same answers, by precedents that know the numbers of `block` as they have turned out."""
+        events, self.events, self.noted = self.events, [], []
+        self.begin()
+        self.precedents = CoinPrecedents(self, block)
+        for kind, *what in events:
+            if kind == "cell":
+                self.precedents.enter(*what)
+            elif kind == "bits":
+                self.note_bits(*what)
+            else:
+                self.note_flag(*what)
 
     def bytes(self):
         """4.2, turned round: the code of a run stands where its first flag is asked for."""

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import coins_riding
 import container
 import guesses
-from coin_stream import CoinStream, coin, varint, zigzag
+from coin_stream import CoinPrecedents, CoinStream, coin, varint, zigzag
 from conventions import NONE, crc32c, width
 from edges import edges_of
 from errors import Invalid
@@ -39,7 +39,7 @@ class CoinWalk:
         if name == "kCopyOf":
             originals = [v for v, c in enumerate(self.copy_of) if c == NONE]
             if originals:
-                pick = zigzag(random.choice(originals) - self.last_copied)
+                pick = zigzag(random.choice(originals) - self.copies.last)
         elif name == "kDegreeRest":
             pick = random.choice((0, 1, 2, 3, 4, 9))
             pick = 2 if pick < 2 and self.gate[-1] != NONE else pick
@@ -163,12 +163,15 @@ def make_file(seed, rides=False):
     head, head_bytes = make_head(rides and coin(0.5))
     p, positions_bytes = make_positions_head(head)
     edge_points = head.tets and coin(0.4)
-    H = random.choice((64, 256) if edge_points else (16, 64, 256))
+    # precedents are found where many cells are alike
+    has_precedents = not head.tets and coin(0.6)
+    alike = has_precedents and coin(0.7)
+    H = 256 if alike else random.choice((64, 256) if edge_points else (16, 64, 256))
     # N and H depend on the points, so those are decided on before the walk
     points = H - random.choice((0, 0, 1, H // 3)) if p.level_bits else H
     block = SimpleNamespace(
-        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.3), mirrored=head.tets and coin(0.3),
-        leaders_move=head.tets and coin(0.3),
+        has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.5), mirrored=head.tets and coin(0.3),
+        leaders_move=head.tets and coin(0.3), has_precedents=has_precedents,
         edge_points=edge_points, cells=2**31, corners=2**31, vertices=points, unused_points=0, uniform_degree=4)
     if head.tets:
         block.grid_side = random.choice((1, 1, 2, 5, 30, 1000, 2**52))
@@ -181,13 +184,18 @@ def make_file(seed, rides=False):
             block.unused_points = points - block.vertices
     else:
         block.uniform_degree = random.choice((0, 0, 0, 0, 2, 3, 4, 5, 11))
-    stream = CoinStream("tet" if head.tets else "surface", {"kLed": random.choice((0.2, 0.6, 0.9, -1))})
+    chances = {"kLed": random.choice((0.2, 0.6, 0.9, -1)), "kPrecedent": random.choice((0.5, 0.8, 0.95, -1))}
+    stream = CoinStream("tet" if head.tets else "surface", chances)
+    if alike:
+        stream.moods = (0.01, 0.99)
     chances = {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "escape": 0.2}
     positions_stream = CoinStream("positions", chances)
     positions = CoinPositions(head, block, p, positions_stream)
     walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)
+    if block.has_precedents:
+        stream.precedents = CoinPrecedents(stream, block)
     # each tet brings some edges, whose points are to fit into H too
-    walk.most_cells = random.choice((1, 5, H // 8 if edge_points else 5 + H // 4))
+    walk.most_cells = random.choice((20, 60, 160) if alike else (1, 5, H // 8 if edge_points else 5 + H // 4))
     try:
         walk.run()
         block.vertices = walk.vertex_count
@@ -204,12 +212,15 @@ def make_file(seed, rides=False):
     except (Endless, Invalid):
         return None
     block.cells = walk.cell_count
+    block.corners = len(walk.vertex)
+    if block.has_precedents:
+        stream.again(block)
     block.links = sum(read_strip(walk))
     riding = coins_riding.make_some(head, block, walk) if rides else coins_riding.nothing()
     if not riding:
         return None
     flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
-    flags |= block.edge_points << 5 | block.leaders_move << 6
+    flags |= block.edge_points << 5 | block.leaders_move << 6 | block.has_precedents << 7
     fields = [block.cells]
     if not head.tets:
         fields += [block.uniform_degree] if block.uniform_degree else [0, len(walk.vertex)]

@@ -33,7 +33,6 @@ def make_some(head, block, walk):
 
 def make(head, block, walk):
     block.points = sum(c == 2**32 - 1 for c in walk.copy_of)
-    block.corners = len(walk.vertex)
     mesh = build_mesh(head, block, walk)
     shape = Shape(head, block, walk, mesh)
     riding = nothing()

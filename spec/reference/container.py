@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, corrupt, require
 
-VERSION = 7
+VERSION = 8
 
 HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
 
@@ -151,7 +151,6 @@ def read_block(data, tets):
     most = 2**32 - 2
     bytes = Bytes(data)
     flags = bytes.u8()
-    require(flags < 128, "bit 7 of block.flags")
     b = SimpleNamespace(
         has_border=bool(flags & 1),
         has_flips=bool(flags & 2),
@@ -159,10 +158,12 @@ def read_block(data, tets):
         mirrored=bool(flags & 8),
         edge_points=bool(flags & 32),
         leaders_move=bool(flags & 64),
+        has_precedents=bool(flags & 128),
     )
     require(tets or not b.mirrored, "mirrored polygons")
     require(tets or not b.edge_points, "edge_points of polygons")
     require(tets or not b.leaders_move, "leaders_move of polygons")
+    require(not (tets and b.has_precedents), "has_precedents of tets")
     b.cells = bytes.varint()
     require(b.cells < (357913941 if tets else most), "cells")
     if tets:
@@ -199,11 +200,15 @@ def read_block(data, tets):
 
 def check_memory(head, block, sections, limit):
     """15: what the code beside the specification may take. This decoder takes more."""
-    P, Q, V = (100 if head.tets else 52), 80, 716
+    P, Q, V = (100 if head.tets else 52), 80, 720
     if head.keeps_order:
-        P, Q, V = P + 24, 192, 772
+        P, Q, V = P + 24, 192, 776
     if block.edge_points:
         Q += 168
+    if block.has_precedents:
+        P, Q = P + 6, Q + 6
+    if block.has_copies:
+        V += 40
     need = block.corners * P + block.cells * Q + (block.vertices + block.unused_points) * V
     weight = {HEAD: 64, BLOCK: 64, COMPANIONS: 40, ATTRIBUTES: 4 if head.keeps_order else 2, NAMES: 72}
     need += sum(len(data) * weight.get(id, 1) for id, data in sections.items())

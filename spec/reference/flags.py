@@ -181,6 +181,7 @@ class Stream(Models):
         self.bits = 8 * len(data)
         self.left = [0] * 15
         self.ends_in_miss = [False] * 15
+        self.precedents = None
 
     def plain(self, n):
         require(n <= self.bits - self.at, "a stream is asked for more bits than it has")
@@ -200,9 +201,15 @@ class Stream(Models):
         return v if v < b else v * 2 + self.plain(1) - b
 
     def flag(self, block, *coordinates):
-        """4.2: true for yes."""
-        self.used[block.name] = self.used.get(block.name, 0) + 1
+        """True for yes."""
         context = block(*coordinates)
+        if self.precedents:
+            return self.precedents.flag(block, context)
+        return self.read(block, context)
+
+    def read(self, block, context):
+        """4.2; the context is one of the block."""
+        self.used[block.name] = self.used.get(block.name, 0) + 1
         likely, c = self.expect(context)
         # 1
         if self.left[c] == 0:

@@ -1,8 +1,10 @@
 """Chapter 5: the walk, as far as it is the same for surfaces and tets."""
 
-from conventions import MASK64, NONE, unzigzag
+from conventions import NONE
+from copies import Copies
 from edges import edges_of
 from errors import require
+from precedents import Precedents
 
 OPEN, BORDER, GONE = "open", "border", "gone"
 
@@ -28,9 +30,10 @@ class Walk:
         self.flipped = []
         self.copy_of = []
         self.stencils = []
-        # 5.2
-        self.was_copy = 0
-        self.last_copied = 0
+        # 5.5, 5.6
+        self.copies = Copies(self) if block.has_copies else None
+        if block.has_precedents:
+            stream.precedents = Precedents(stream, block)
 
     def flag(self, name, *coordinates):
         return self.stream.flag(self.contexts[name], *coordinates)
@@ -78,6 +81,8 @@ class Walk:
     def enter(self, gate):
         self.cell_count += 1
         self.gate.append(gate)
+        if self.stream.precedents:
+            self.stream.precedents.enter(gate == NONE)
         self.visit(gate)
         # 5.2: flips
         flipped = False
@@ -95,12 +100,8 @@ class Walk:
         self.add_vertex()
         self.stencils.append((configuration, stencil))
         copied = NONE
-        if self.block.has_copies:
-            self.was_copy = self.flag("kCopy", self.was_copy)
-            if self.was_copy:
-                self.last_copied = (self.last_copied + unzigzag(self.number("kCopyOf"))) & MASK64
-                copied = self.last_copied
-                require(copied < v and self.copy_of[copied] == NONE, "a copy of a later vertex or of a copy")
+        if self.copies:
+            copied = self.copies.read(v, configuration, stencil)
         self.copy_of.append(copied)
         if copied != NONE:
             self.positions.copy(copied)

@@ -68,6 +68,8 @@ TEST_CASE("random codes under larger counts lead to an error or a mesh") {
                 b.grid_side = 1 + random.below(2000);
                 b.shape_step = random.one_in(3) ? 0 : 1 + random.below(2000);
                 b.leaders_move = random.one_in(2);
+            } else {
+                b.has_precedents = random.one_in(2);
             }
             b.unused_points = random.below(3);
             b.components = std::min<Index>(1 + random.below(5), b.cells);

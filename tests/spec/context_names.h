@@ -22,7 +22,8 @@ inline const std::vector<NamedBlock>& surface_blocks() {
         {"kOldNear", surface::kOldNear},     {"kOldSide", surface::kOldSide},
         {"kOldSteps", surface::kOldSteps},   {"kOldFar", surface::kOldFar},
         {"kBorder", surface::kBorder},       {"kFlip", surface::kFlip},
-        {"kCopy", surface::kCopy},           {"kCopyOf", surface::kCopyOf}};
+        {"kCopy", surface::kCopy},           {"kCopyNear", surface::kCopyNear},
+        {"kCopyOf", surface::kCopyOf},       {"kPrecedent", surface::kPrecedent}};
     return blocks;
 }
 
@@ -31,7 +32,8 @@ inline const std::vector<NamedBlock>& tet_blocks() {
         {"kLowest", tet::kLowest}, {"kNew", tet::kNew},           {"kNext", tet::kNext},
         {"kNear", tet::kNear},     {"kNearRank", tet::kNearRank}, {"kOldFar", tet::kOldFar},
         {"kGlue", tet::kGlue},     {"kBorder", tet::kBorder},     {"kFlip", tet::kFlip},
-        {"kCopy", tet::kCopy},     {"kCopyOf", tet::kCopyOf},     {"kLed", tet::kLed}};
+        {"kCopy", tet::kCopy},     {"kCopyNear", tet::kCopyNear}, {"kCopyOf", tet::kCopyOf},
+        {"kLed", tet::kLed}};
     return blocks;
 }
 

@@ -7,12 +7,13 @@ namespace ravel::test {
 void InvalidMaker::walks() {
     using Flag = std::optional<bool>;
     using Number = std::optional<std::uint64_t>;
-    add(29, "later", "a copy of itself",
-        with_twisted_walk(valid("moebius"), {{}, [](const Question& q) -> Number {
-                                                 if (q.block != "kCopyOf") return {};
-                                                 return 2 *
-                                                        std::uint64_t{q.walked.vertex_count - 1};
-                                             }}));
+    const Twist itself{
+        [](const Question& q) -> Flag { return q.block == "kCopyNear" ? Flag(false) : Flag(); },
+        [](const Question& q) -> Number {
+            return q.block == "kCopyOf" ? Number(2 * std::uint64_t{q.walked.vertex_count - 1})
+                                        : Number();
+        }};
+    add(29, "later", "a copy of itself", with_twisted_walk(valid("moebius"), itself));
     const Twist rest{
         [](const Question& q) -> Flag { return q.block == "kDegree" ? Flag(false) : Flag(); },
         [](const Question& q) -> Number {

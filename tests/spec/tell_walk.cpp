@@ -2,12 +2,16 @@
 // letter; walks and predictors are those of codec/.
 #include "spec/tell_walk.h"
 
+#include <optional>
+
 #include "entropy/flag_model.h"
 #include "entropy/priors.h"
 #include "predict/edge_points.h"
 #include "predict/priors.h"
 #include "spec/context_names.h"
 #include "spec/tell_fields.h"
+#include "walk/copies.h"
+#include "walk/precedents.h"
 #include "walk/priors.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
@@ -52,6 +56,10 @@ class Stream {
           models_(std::move(models)),
           telling_(telling) {}
 
+    std::vector<FlagModel>& models() { return models_; }
+    bool flag(const FlagModel& asked) {
+        return flag(static_cast<Context>(&asked - models_.data()));
+    }
     bool flag(Context context) {
         FlagModel& model = models_[context];
         const auto c = static_cast<std::size_t>(model.flag_class());
@@ -139,30 +147,35 @@ class TraceDriver {
   public:
     TraceDriver(Stream& codes, PositionCodes<TraceCoder>& positions, const BlockHead& block,
                 bool tets, Telling& telling)
-        : codes_(codes), positions_(positions), block_(block), tets_(tets), telling_(telling) {}
+        : codes_(codes),
+          positions_(positions),
+          block_(block),
+          tets_(tets),
+          telling_(telling),
+          copies_(tets ? CellKind::tet : CellKind::polygon, block.has_copies ? block.vertices : 0) {
+        if (block.has_precedents) precedents_.emplace(block.cells, block.corners);
+    }
 
-    bool flag(Context context, bool) { return codes_.flag(context); }
+    bool flag(Context context, bool) {
+        if (!precedents_) return codes_.flag(context);
+        return precedents_->flag(codes_.models(), context, false,
+                                 [&](FlagModel& model, bool) { return codes_.flag(model); });
+    }
     std::uint64_t number(Context base, std::uint64_t) {
         int n = 1;
-        while (n < 64 && codes_.flag(base + static_cast<Context>(n) - 1)) ++n;
+        while (n < 64 && flag(base + static_cast<Context>(n) - 1, false)) ++n;
         return (std::uint64_t{1} << (n - 1) | codes_.plain(n - 1)) - 1;
     }
     bool failed() const { return bad_ || codes_.exhausted(); }
 
     void begin_cell(Id gate) {
+        if (precedents_) precedents_->begin_cell(gate == kNone);
         telling_.cell("cell " + std::to_string(cells_++) +
                       (gate == kNone ? ": seed" : ": gate " + id_text(gate)) + "\n");
     }
     void new_vertex(Id v, Id, const Stencil& stencil) {
-        Id of = kNone;
-        if (block_.has_copies &&
-            (last_was_copy_ =
-                 flag((tets_ ? tet::kCopy : surface::kCopy).at(last_was_copy_), false))) {
-            const Context base = (tets_ ? tet::kCopyOf : surface::kCopyOf).base;
-            last_copied_ += static_cast<std::uint64_t>(unzigzag(number(base, 0)));
-            of = static_cast<Id>(last_copied_);
-            bad_ = bad_ || last_copied_ >= v;
-        }
+        const Id of = block_.has_copies ? copies_.next(*this, v, stencil, kNone) : kNone;
+        bad_ = bad_ || of == v;
         if (bad_) return;
         points_.push_back(of == kNone ? static_cast<Id>(own_.size()) : points_[of]);
         if (of == kNone) own_.push_back(v);
@@ -230,8 +243,10 @@ class TraceDriver {
     std::vector<Point3> places_;
     std::vector<Id> points_, own_;  // per vertex; per point
     std::vector<Index> corners_;    // of tets, points
-    std::uint64_t last_copied_ = 0, cells_ = 0;
-    bool last_was_copy_ = false, last_flip_ = false, bad_ = false;
+    Copies copies_;
+    std::optional<Precedents> precedents_;
+    std::uint64_t cells_ = 0;
+    bool last_flip_ = false, bad_ = false;
 };
 
 template <class Walk>

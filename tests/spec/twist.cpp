@@ -8,6 +8,7 @@
 #include "spec/context_names.h"
 #include "spec/tell_fields.h"
 #include "support/file_parts.h"
+#include "walk/copies.h"
 #include "walk/priors.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
@@ -33,6 +34,7 @@ Opened opened(const Bytes& file) {
         if (part.id == SectionId::connectivity) o.connectivity = part.raw;
         if (part.id == SectionId::positions) o.positions = part.raw;
     }
+    if (o.block.has_precedents) throw std::runtime_error("a walk by precedents is not twisted");
     o.format = position_format_of(o.positions, o.head, o.block, o.bits_at);
     return o;
 }
@@ -53,6 +55,7 @@ class TwistDriver {
           position_bits_(std::span(file.positions).subspan(file.bits_at)),
           coder_{position_bits_},
           positions_(coder_, file.format, file.block.vertices + file.block.unused_points),
+          copies_(file.head.kind, file.block.has_copies ? file.block.vertices : 0),
           models_(tets_ ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
                         : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen)) {}
 
@@ -87,15 +90,11 @@ class TwistDriver {
 
     void begin_cell(Id) {}
     void new_vertex(Id v, Id, const Stencil& stencil) {
-        if (file_.block.has_copies &&
-            (last_was_copy_ =
-                 flag((tets_ ? tet::kCopy : surface::kCopy).at(last_was_copy_), false))) {
-            last_copied_ += static_cast<std::uint64_t>(
-                unzigzag(number((tets_ ? tet::kCopyOf : surface::kCopyOf).base, 0)));
-            if (last_copied_ < v)
-                positions_.copy(static_cast<Id>(last_copied_));
-            else
-                bad_ = true;
+        const Id of = file_.block.has_copies ? copies_.next(*this, v, stencil, kNone) : kNone;
+        if (of == v) {
+            bad_ = true;
+        } else if (of != kNone) {
+            positions_.copy(of);
         } else {
             bad_ = !positions_.next(stencil, {}) || bad_;
         }
@@ -141,12 +140,12 @@ class TwistDriver {
     FlagDecoder in_, position_bits_;
     ReadingCoder coder_;
     PositionCodes<ReadingCoder> positions_;
+    Copies copies_;
     std::vector<FlagModel> models_;
     FlagEncoder out_;
     std::map<std::string, int> asked_;
     std::vector<Point3> places_;
-    std::uint64_t last_copied_ = 0;
-    bool last_was_copy_ = false, last_flip_ = false, bad_ = false, twisted_ = false;
+    bool last_flip_ = false, bad_ = false, twisted_ = false;
 };
 
 template <class Walk>
@@ -205,6 +204,7 @@ Bytes with_positions(const Bytes& file, const Positions& positions) {
     Bytes section(o.positions.begin(),
                   o.positions.begin() + static_cast<std::ptrdiff_t>(o.bits_at));
     if (positions.change) positions.change(section);
+    if (o.block.has_precedents) throw std::runtime_error("a walk by precedents is not twisted");
     o.format = position_format_of(section, o.head, o.block, o.bits_at);
     ForcingCoder coder{positions.forced, {}};
     PositionCodes<ForcingCoder> codes(coder, o.format, o.block.vertices + o.block.unused_points);

@@ -95,6 +95,10 @@ std::vector<ValidFile> valid_files() {
     add_made("bow-tie", "a corner twice in one polygon", "tiny:bow-tie");
     add_made("soup", "random polygons with every kind of dirt", "soup:polygons=14,seed=3", bits(8));
     add_made("two-apart", "two components", "tiny:two-apart");
+    add_made("precedents", "six alike: answers by precedents", "polygons:mixed,size=4x3,copies=6",
+             bits(8));
+    add_made("soup-four", "the soup four times: copies, flips and degrees by precedents",
+             "soup:polygons=14,seed=3,copies=4", bits(8));
     add_made("hexagons", "a honeycomb: old corners, links", "polygons:hex,size=4x4", bits(9));
     add_made("holes", "quads with holes, lossless float64", "terrain:size=4x4,holes=5,double");
     add("decimals", "decimals of three places, a zero that is negative",

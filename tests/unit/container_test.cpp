@@ -51,6 +51,8 @@ BlockHead rich_block(CellKind kind) {
         b.mirrored = true;
         b.grid_side = 12345;
         b.grid_count = {3, 4, 5};
+    } else {
+        b.has_precedents = true;
     }
     return b;
 }
@@ -150,6 +152,7 @@ TEST_CASE("block heads come back field by field") {
         CHECK(b->has_flips == given.has_flips);
         CHECK(b->has_copies == given.has_copies);
         CHECK(b->mirrored == given.mirrored);
+        CHECK(b->has_precedents == given.has_precedents);
         CHECK(b->grid_side == given.grid_side);
         CHECK(b->grid_count == given.grid_count);
     }

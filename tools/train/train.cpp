@@ -36,7 +36,24 @@ struct Tally {
 
 struct WalkTape {
     Tally tally;
-    void flag(Context context, bool truth) { tally.add(context, truth); }
+    Answers answers;
+    void begin_cell(bool seed) { answers.begin_cell(seed); }
+    void flag(Context context, bool truth) {
+        tally.add(context, truth);
+        answers.flag(context, truth);
+    }
+    void plain(std::uint64_t, int) {}
+};
+
+// The questions of the walk over a surface by their precedents.
+struct PrecedentTape {
+    const std::vector<FlagModel>& models;
+    Tally& tally;
+    void flag(FlagModel& model, bool yes) {
+        const auto context = static_cast<Context>(&model - models.data());
+        if (context >= surface::kPrecedent.base) tally.add(context, yes);
+        model.update(yes);
+    }
     void plain(std::uint64_t, int) {}
 };
 
@@ -71,8 +88,13 @@ bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
     if (!positions || !complex) return false;
     const CoursePlan plan = plan_course(mesh, *complex, *positions);
     Tally& tally = mesh.kind == CellKind::tet ? learnt.tet : learnt.surface;
-    WalkTape tape{Tally(tally.count.size())};
+    WalkTape tape{Tally(tally.count.size()), {}};
     const Course course = run_course(*complex, plan, tape);
+    if (mesh.kind == CellKind::polygon) {
+        std::vector<FlagModel> models = walk_models(mesh.kind);
+        PrecedentTape precedents{models, tape.tally};
+        tape.answers.tell(Precedents(plan.block.cells, plan.block.corners), models, precedents);
+    }
     tally.take_in(tape.tally);
     learn_residuals(*complex, course, *positions, learnt.residual);
     return true;
