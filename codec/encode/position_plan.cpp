@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "encode/numbers.h"
@@ -111,27 +112,56 @@ Box robust_box(const Array& positions, std::size_t points) {
     return kept;
 }
 
-bool lies_on(const Array& positions, const Box& box, double step) {
+// Is every point a whole number of steps from the box's low corner, to `off` at most?
+bool lies_on(const Array& positions, const Box& box, double step, double off) {
+    off = std::min(off / step, 1.0 / 64);
     for (std::size_t p = 0; p < positions.count(); ++p)
         for (std::size_t axis = 0; axis < 3 && finite_point(positions, p); ++axis) {
             const double q = (value_at(positions, 3 * p + axis) - box.low[axis]) / step;
-            if (std::abs(q - std::floor(q + 0.5)) > 1.0 / 64) return false;
+            if (!(std::abs(q - std::floor(q + 0.5)) <= off)) return false;
         }
     return true;
 }
 
-// 2^bits steps along the longest side; a mesh that was on such a grid before, its first and last
-// points half a step off the ends, gets the same step again, so that its points stay where they
-// are.
-double step_over(const Array& positions, const Box& box, int bits) {
-    if (!std::isfinite(box.longest)) return 1;
-    const double cells = std::ldexp(1.0, bits);
-    for (const double other : {cells + 1, cells - 1}) {
-        if (bits < 8 || box.longest > 1e30) break;
-        const auto step = static_cast<double>(static_cast<float>(box.longest / other));
-        if (step > 0 && lies_on(positions, box, step)) return step;
+// The coarsest step of few digits, decimal or a power of two, that all points are whole multiples
+// of apart, to `off`, if it is not finer than `finest`; or 0.
+double step_of_few_digits(const Array& positions, const Box& box, double finest, double off) {
+    if (!(box.longest > 0) || !(finest > 0) || !(box.longest < 1e15)) return 0;
+    const double least = std::max({finest, box.longest / 0x1p30, 1e-15});
+    std::vector<double> steps;
+    for (int e = std::ilogb(box.longest) + 1; std::ldexp(1.0, e) >= least; --e)
+        steps.push_back(std::ldexp(1.0, e));
+    for (int places = -15; places <= 15; ++places)
+        for (const double digits : {5.0, 2.5, 2.0, 1.0}) {
+            const double power = std::pow(10.0, std::abs(places));
+            const double step = places < 0 ? digits * power : digits / power;
+            if (step <= box.longest && step >= least) steps.push_back(step);
+        }
+    std::sort(steps.begin(), steps.end(), std::greater<>());
+    // The head has more room for a step where that is needed to tell points far off.
+    for (const double step : steps) {
+        const auto brief = static_cast<double>(static_cast<float>(step));
+        if (box.longest / step < 0x1p17 && lies_on(positions, box, brief, off)) return brief;
+        if (lies_on(positions, box, step, off)) return step;
     }
-    return float32_above(box.longest / cells);
+    return 0;
+}
+
+// The step of the grid that a mesh lies on already, where that is coarser than `asked` or hardly
+// finer; or 0. It takes fewer bytes, and points stay where they are. That may be a grid of few
+// digits, or one that was made with as many steps over a box that was a step larger or smaller.
+double own_step(const Array& positions, const Box& box, double asked) {
+    constexpr double kHardly = 0.85;
+    const double off = asked / 8;
+    const double own = step_of_few_digits(positions, box, kHardly * asked, off);
+    if (own > 0) return own;
+    const double cells = std::floor(box.longest / asked + 0.5);
+    for (const double other : {cells, cells + 1, cells - 1}) {
+        if (!(cells >= 256) || box.longest > 1e30) break;
+        const auto step = static_cast<double>(static_cast<float>(box.longest / other));
+        if (step > 0 && lies_on(positions, box, step, off)) return step;
+    }
+    return 0;
 }
 
 // How many coordinates have a mirror image about `centre`, to an eighth of a step. Of many only
@@ -162,12 +192,16 @@ std::size_t mirrored_about(double centre, const std::vector<double>& values, dou
 }
 
 // Where the grid starts on an axis: what is mirrored about zero, or about the middle of the box, is
-// mirrored on the grid too. A number of few digits, unless that would widen the grid.
-double origin_on(const Array& positions, const Box& box, std::size_t axis, double step) {
+// mirrored on the grid too; what lies on it anyhow stays. A number of few digits, unless that would
+// move the grid by more than a sixteenth of the step that was `asked` for.
+double origin_on(const Array& positions, const Box& box, std::size_t axis, double step,
+                 double asked, bool is_own) {
     const double low = box.low[axis], high = box.high[axis];
     const double middle = low + (high - low) / 2;
-    double origin = std::abs(low / step) < 0x1p40 ? std::floor(low / step) * step : low;
-    if (std::abs(middle) > step / 64 && std::isfinite(middle)) {
+    double origin = std::abs(low / step) < 0x1p40 ? std::floor(low / step + 0.5) * step : low;
+    if (is_own) {
+        if (!(std::abs(origin - low) < asked / 16)) origin = low;
+    } else if (std::abs(middle) > step / 64 && std::isfinite(middle)) {
         std::vector<double> values;
         for (std::size_t p = 0; p < positions.count(); ++p) {
             const double x = value_at(positions, 3 * p + axis);
@@ -178,7 +212,7 @@ double origin_on(const Array& positions, const Box& box, std::size_t axis, doubl
     }
     if (!std::isfinite(origin)) return low;
     const double near = float32_below(origin);
-    return origin - near < step / 16 ? near : origin;
+    return origin - near < asked / 16 ? near : origin;
 }
 
 // The grid number of a coordinate. On a lattice the nearest multiple of the step is found first, so
@@ -249,7 +283,7 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         std::ldexp(power_above(box.farthest / 4), plan.format.narrow ? -22 : -51);
     Grid& grid = plan.grid;
     if (options.position_bits) {
-        grid.step = step_over(positions, box, *options.position_bits);
+        grid.step = float32_above(longest / std::ldexp(1.0, *options.position_bits));
     } else if (options.lattice) {
         grid.step = *options.lattice;
     } else {
@@ -266,6 +300,9 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
     if (!(grid.step > 0)) grid.step = 1;
     if (options.position_bits || options.lattice)
         plan.bound = float32_above(grid.step / 2 + 2 * spacing);
+    double asked = grid.step;
+    const double own = options.lattice ? 0 : own_step(positions, box, asked);
+    if (own > 0) grid.step = own;
     if (longest / grid.step >= static_cast<double>(kMostGrid) ||
         (options.lattice && box.farthest / grid.step >= 0x1p52))
         return Error{Code::bad_option, 0,
@@ -273,14 +310,15 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
                      "this mesh; leave it out to store positions exactly"};
     const auto place = [&] {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            grid.origin[axis] = options.lattice ? std::floor(box.low[axis] / grid.step) * grid.step
-                                                : origin_on(positions, box, axis, grid.step);
+            grid.origin[axis] = options.lattice
+                                    ? std::floor(box.low[axis] / grid.step) * grid.step
+                                    : origin_on(positions, box, axis, grid.step, asked, own > 0);
         place_on_grid(positions, box, options.lattice.has_value(), plan);
     };
     place();
-    if (plan.format.has_escapes && (options.max_error || options.max_error_relative)) {
+    if (plan.format.has_escapes && own == 0 && (options.max_error || options.max_error_relative)) {
         // Rounding pushed some over the bound; a slightly finer grid has room for it.
-        grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
+        asked = grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
         place();
     }
     plan.bits = options.position_bits

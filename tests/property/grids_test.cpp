@@ -146,6 +146,48 @@ TEST_CASE("what is mirrored about the middle of its box is mirrored on its grid,
     }
 }
 
+TEST_CASE("a mesh that lies on a grid of its own keeps it, and takes fewer bytes") {
+    for (const double unit : {1.0 / 128, 0.01, 0.25, 5.0}) {
+        Mesh mesh = made("terrain:size=30x20,double,seed=4");
+        const Mesh rough = mesh;
+        double longest = 0;
+        for (const double x : mesh.positions.as<double>()) longest = std::max(longest, x);
+        for (double& x : mesh.positions.as<double>())
+            x = std::nearbyint(x / longest * 900) * unit + 3 * unit;
+        for (const int bits : {10, 14, 17}) {
+            EncodeOptions options;
+            options.position_bits = bits;
+            INFO(unit << ", " << bits << " bits");
+            const Result<Encoded> packed = encode(mesh, options);
+            const Result<Encoded> other = encode(rough, options);
+            REQUIRE((packed.ok() && other.ok()));
+            CHECK(packed->position_error < 1e-4 * unit);
+            if (bits > 10) CHECK(packed->bytes.size() < other->bytes.size() * 8 / 10);
+            CHECK(test::trouble(mesh, options) == "");
+        }
+        // Where that grid is finer than what was asked for, it is none.
+        EncodeOptions coarse;
+        coarse.position_bits = 8;
+        const Result<Encoded> packed = encode(mesh, coarse);
+        REQUIRE(packed.ok());
+        CHECK(packed->position_error > 0.1 * unit);
+    }
+}
+
+TEST_CASE("what was put on a grid stays there when it is packed again") {
+    for (const char* recipe : {"torus:quads=900,bumps=0.2", "terrain:size=30x20,double",
+                               "polygons:mixed,size=14x14", "tets:ball=5,jitter=0.2"})
+        for (const int bits : {9, 12, 15}) {
+            EncodeOptions options;
+            options.position_bits = bits;
+            INFO(recipe << ", " << bits << " bits");
+            const Mesh once = comes_back(made(recipe), options);
+            const Result<Encoded> packed = encode(once, options);
+            REQUIRE(packed.ok());
+            CHECK(packed->position_error < 0.1 * packed->position_bound);
+        }
+}
+
 TEST_CASE("options for grids that make no sense are refused") {
     const Mesh mesh = test::quad_grid(2, 2);
     const auto code = [&](auto set) {
