@@ -227,6 +227,16 @@ TEST_CASE("MSH elements of one entity with two physical tags go to version 2.2",
                      mesh.attributes[0].values));
 }
 
+TEST_CASE("MSH 2 is the same whatever digits its version has", "[io][msh]") {
+    const std::string file = v2("$Elements\n1\n1 4 0 1 2 3 4\n$EndElements\n");
+    for (const char* version : {"2", "2.0", "2.000000", "2.1", "2.20"}) {
+        std::string other = file;
+        other.replace(other.find("2.2"), 3, version);
+        INFO(version);
+        CHECK(trouble(other) == "");
+    }
+}
+
 TEST_CASE("MSH that is wrong gets one line that says where", "[io][msh]") {
     CHECK(error("") == "a.msh:1: this is no MSH file: $MeshFormat is missing");
     CHECK(error("$NOD\n1\n") == "a.msh:1: MSH 1 files are not supported; 2.2 and 4.1 are");

@@ -22,12 +22,14 @@ Status read_format(Reading& reading) {
         return text.error("MSH 1 files are not supported; 2.2 and 4.1 are");
     }
     if (first != "$MeshFormat") return text.error("this is no MSH file: $MeshFormat is missing");
-    const std::string version(text.word());
+    const std::string said(text.word());
+    std::string version = said;  // "2.000000" is 2
+    while (version.find('.') != std::string::npos &&
+           (version.back() == '0' || version.back() == '.'))
+        version.pop_back();
     int mode = 0, data_size = 0;
-    if (version != "2.2" && version != "4.1" && version != "2" && version != "2.0" &&
-        version != "2.1") {
-        return text.error("MSH version '" + version + "' is not supported; 2.2 and 4.1 are");
-    }
+    if (version != "2.2" && version != "4.1" && version != "2" && version != "2.1")
+        return text.error("MSH version '" + said + "' is not supported; 2.2 and 4.1 are");
     if (!text.read(mode) || !text.read(data_size)) return text.expected("file type and data size");
     if (mode != 0 && mode != 1) return text.error("the file type is 0 for text or 1 for binary");
     if (data_size != 8) return text.error("only files with a data size of 8 are supported");
