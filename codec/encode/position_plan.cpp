@@ -131,12 +131,11 @@ double step_of_few_digits(const Array& positions, const Box& box, double finest,
     std::vector<double> steps;
     for (int e = std::ilogb(box.longest) + 1; std::ldexp(1.0, e) >= least; --e)
         steps.push_back(std::ldexp(1.0, e));
-    for (int places = -15; places <= 15; ++places)
-        for (const double digits : {5.0, 2.5, 2.0, 1.0}) {
-            const double power = std::pow(10.0, std::abs(places));
-            const double step = places < 0 ? digits * power : digits / power;
-            if (step <= box.longest && step >= least) steps.push_back(step);
-        }
+    for (std::size_t places = 0; places <= 15; ++places)
+        for (const double digits : {5.0, 2.5, 2.0, 1.0})
+            for (const double step :
+                 {digits / kTensAsDoubles[places], digits * kTensAsDoubles[places]})
+                if (step <= box.longest && step >= least) steps.push_back(step);
     std::sort(steps.begin(), steps.end(), std::greater<>());
     // The head has more room for a step where that is needed to tell points far off.
     for (const double step : steps) {
