@@ -81,7 +81,8 @@ AttributeOptions attribute_of(const std::string& text) {
 
 void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
     auto* bits = verb.add_option("--position-bits", flags.position_bits,
-                                 "Positions on a grid of 2^N steps along the longest side, or on a coarser one that they lie on already")
+                                 "Positions on a grid of 2^N steps along the longest side, or on a "
+                                 "coarser one that they lie on already")
                      ->check(CLI::Range(1, 30))
                      ->type_name("N")
                      ->group("Positions");
