@@ -34,7 +34,8 @@ struct AttributeOptions {
 };
 
 struct EncodeOptions {
-    // Positions: exact unless one of these is given. They exclude each other.
+    // Positions: exact unless one of these is given. They exclude each other. Points that lie on a
+    // coarser grid of few digits already stay on it (but with `lattice`).
     std::optional<int> position_bits;  // 1..30 bits along the longest side of the bounding box
     std::optional<double> max_error;   // > 0, largest absolute error of any coordinate
     std::optional<double> max_error_relative;  // > 0, the same in diagonals of the bounding box
