@@ -9,7 +9,7 @@ namespace ravel {
 
 Connectivity choose_connectivity(const WalkCodes& codes, const Answers& answers, std::size_t others,
                                  int level, BlockHead& block) {
-    // Precedents take readers a tenth of their time.
+    // Precedents take readers a tenth to a quarter of their time.
     constexpr double kWorth = 0.01;  // of connectivity and positions
     Connectivity plain{codes.out.finish(), codes.out.ideal_bits()};
     const auto size = [&](const Bytes& bytes) {

@@ -135,7 +135,7 @@ struct FileInfo {
     Scalar position_scalar = Scalar::f32;
     bool lossless_positions = true;
     bool keeps_order = false;
-    int position_bits = 0;  // of the grid's longest side; 0 for lossless
+    int position_bits = 0;  // asked for along the grid's longest side; 0 for lossless
     double grid_step = 0;
     double position_bound = 0;
     double position_error = 0;  // as measured by the encoder
