@@ -31,9 +31,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     }
     if (flags & 64) {
         const std::uint8_t count = in.u8();
-        const std::uint8_t look = in.u8();
-        format.cube_bits = look & 127;
-        format.looks_far = (look & 128) != 0;
+        format.cube_bits = in.u8();
         sane = sane && count >= 1 && count <= kMostEchoes && format.cube_bits <= kMostCubeBits;
         for (std::size_t e = 0; e < count && sane; ++e) {
             Echo echo;

@@ -17,7 +17,7 @@ Connectivity choose_connectivity(const WalkCodes& codes, const Answers& answers,
     };
     const double before = size(plain.bytes),
                  least = kWorth * (before + static_cast<double>(others));
-    if (answers.empty() || before < 2 * least) return plain;
+    if (answers.empty() || before < least) return plain;
     std::vector<FlagModel> models = walk_models(CellKind::polygon);
     FlagEncoder out;
     answers.tell(Precedents(block.cells, block.corners), models, out);

@@ -47,7 +47,7 @@ int cube_bits_of(const WalkRecord& record, const std::vector<Point3>& places,
     }
     int bits = 0;
     if (count > 0) std::frexp(length / count, &bits);
-    return std::clamp(bits, 1, kMostCubeBits - 1);
+    return std::clamp(bits, 1, kMostCubeBits - 2);  // two more may be tried
 }
 
 // Calls look(stencil, vertex) for some thousand vertices, evenly along the walk.
@@ -257,9 +257,8 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
                 if (f.echoes.size() < kMostEchoes) f.echoes.push_back(echo);
         });
     offer(
-        kRefused,
-        [&](const PositionFormat& f) { return !f.echoes.empty() && vertices < kLarge / 4; },
-        [](PositionFormat& f) { f.looks_far = true; });
+        kRefused, [&](const PositionFormat& f) { return !f.echoes.empty() && vertices < kSmall; },
+        [](PositionFormat& f) { ++f.cube_bits; });
     if (may_share) offer(kTaken, always, [](PositionFormat& f) { f.has_levels = true; });
     offer(kTaken, always, [](PositionFormat& f) {
         f.has_levels = true;

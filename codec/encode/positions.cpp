@@ -60,7 +60,7 @@ Bytes position_head_of(const PositionFormat& format) {
     }
     if (!format.echoes.empty()) {
         out.u8(static_cast<std::uint8_t>(format.echoes.size()));
-        out.u8(static_cast<std::uint8_t>(format.cube_bits | (format.looks_far ? 128 : 0)));
+        out.u8(static_cast<std::uint8_t>(format.cube_bits));
         for (const Echo& echo : format.echoes) {
             out.u8(static_cast<std::uint8_t>((echo.mirrored[0] ? 1 : 0) |
                                              (echo.mirrored[1] ? 2 : 0) |

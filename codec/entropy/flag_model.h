@@ -27,25 +27,32 @@ inline constexpr std::array<std::uint16_t, kFlagClasses - 1> kClassBound{
     4, 8, 16, 31, 51, 82, 135, 205, 307, 451, 655, 901, 1229, 1597};
 
 namespace detail {
-// By the chance of a miss in 1/4096.
-inline constexpr std::array<std::uint8_t, 2048> kClassOf = [] {
-    std::array<std::uint8_t, 2048> of{};
-    for (unsigned p = 0; p < of.size(); ++p)
-        for (unsigned i = kClassBound.size(); i-- > 0;)
-            if (p <= kClassBound[i]) of[p] = static_cast<std::uint8_t>(kFlagClasses - 1 - i);
-    return of;
-}();
+// Filled when the program starts: no packer makes much less of them, and a decoder for the web
+// counts its bytes.
+struct FlagTables {
+    // By the chance of yes in 1/4096: twice the class, and 1 if yes is likely.
+    std::array<std::uint8_t, 4096> verdict;
+    // The steps of adaptation in 1/65536, by how many flags came.
+    struct Rates {
+        std::uint16_t slow, fast;
+    };
+    std::array<Rates, 511> rates;
 
-// The step of adaptation in 1/65536, by how many flags came. Filled when the program starts: no
-// packer makes much less of it, and a decoder for the web counts its bytes.
-struct Rates {
-    std::array<std::uint16_t, 511> of;
-    Rates() {
-        for (unsigned i = 0; i < of.size(); ++i)
-            of[i] = static_cast<std::uint16_t>(655360u / (10 * i + 13));
+    FlagTables() {
+        for (unsigned c = 0; c < verdict.size(); ++c) {
+            const unsigned miss = std::min(c, 4095 - c);
+            unsigned bound = 0;
+            while (bound < kClassBound.size() && miss > kClassBound[bound]) ++bound;
+            verdict[c] =
+                static_cast<std::uint8_t>((kFlagClasses - 1 - bound) << 1 | (c >= 2048 ? 1 : 0));
+        }
+        for (unsigned i = 0; i < rates.size(); ++i) {
+            const auto slow = static_cast<std::uint16_t>(655360u / (10 * i + 13));
+            rates[i] = {slow, std::max(slow, std::uint16_t{65536 / 20})};
+        }
     }
 };
-inline const Rates kRates;
+inline const FlagTables kFlagTables;
 }  // namespace detail
 
 // Two estimates of the chance of "yes" learn at once: `fast` follows the last twenty flags, `slow`
@@ -60,8 +67,8 @@ class FlagModel {
         classify();
     }
 
-    bool likely() const { return likely_; }
-    int flag_class() const { return class_; }
+    bool likely() const { return (verdict_ & 1) != 0; }
+    int flag_class() const { return verdict_ >> 1; }
     // Bits that an ideal coder would take for the flag, the same on every machine. For reports, and
     // for the encoder's trials; no decoder asks.
     double cost(bool yes) const {
@@ -70,17 +77,16 @@ class FlagModel {
     }
     void update(bool yes) {
         const std::uint32_t goal = yes ? kCertain : 0;
-        const std::uint32_t rate = detail::kRates.of[seen_];
-        slow_ += step(goal, slow_, rate);
-        fast_ += step(goal, fast_, std::max(rate, kFastRate));
-        seen_ = static_cast<std::uint16_t>(seen_ + (seen_ + 1u < detail::kRates.of.size()));
+        const detail::FlagTables::Rates rates = detail::kFlagTables.rates[seen_];
+        slow_ += step(goal, slow_, rates.slow);
+        fast_ += step(goal, fast_, rates.fast);
+        seen_ = static_cast<std::uint16_t>(seen_ + (seen_ + 1u < detail::kFlagTables.rates.size()));
         classify();
     }
 
   private:
     static const std::array<float, 2048> kBitsOf;  // by chance in 1/2048
     static constexpr std::uint32_t kCertain = (1u << 22) - 1;
-    static constexpr std::uint32_t kFastRate = 65536 / 20;
 
     // (goal - now) * rate / 65536, rounded down; as a number to add modulo 2^32.
     static std::uint32_t step(std::uint32_t goal, std::uint32_t now, std::uint32_t rate) {
@@ -89,16 +95,11 @@ class FlagModel {
     }
     unsigned chance() const { return (fast_ + slow_) >> 7; }  // in 1/65536
     // Once a flag has come, not when the next is asked for: that waits for it.
-    void classify() {
-        const unsigned c = chance() >> 4;
-        class_ = detail::kClassOf[std::min(c, 4095 - c)];
-        likely_ = c >= 2048;
-    }
+    void classify() { verdict_ = detail::kFlagTables.verdict[chance() >> 4]; }
 
     std::uint32_t fast_ = kCertain / 2 + 1, slow_ = kCertain / 2 + 1;
     std::uint16_t seen_ = 0;
-    std::uint8_t class_ = 0;
-    bool likely_ = true;
+    std::uint8_t verdict_ = 1;
 };
 
 }  // namespace ravel

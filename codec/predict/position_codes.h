@@ -12,7 +12,7 @@
 
 #include "mesh/point3.h"
 #include "predict/border_plane.h"
-#include "predict/echoes.h"
+#include "predict/echo_codes.h"
 #include "predict/follows.h"
 #include "predict/grid.h"
 #include "predict/level_codes.h"
@@ -31,26 +31,25 @@ class PositionCodes {
     PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
         : coder_(coder),
           format_(format),
+          most_(format.most()),
+          keeps_exact_(format.keeps_exact()),
           predictor_(format.weights, format.mirrored, format.leaders_move),
           levels_(coder, format.has_levels ? format.level_bits : 0, format.has_pairs, vertices),
           rest_(coder, format.numbers,
                 !format.has_escapes ? 0
                 : format.narrow     ? 32
                                     : 64) {
-        if (!format_.echoes.empty())
-            index_.emplace(format_.cube_bits, format_.looks_far ? 1 : 0.5, vertices);
+        if (!format_.echoes.empty()) echoes_.emplace(coder, format_, vertices);
         if (format_.has_follows) courses_.emplace(vertices, format_.lag);
-        most_ = format_.grid() ? kMostGrid : kMostWhole;
-        keeps_exact_ = format_.numbers.base == NumberBase::decimal && format_.numbers.digits > 0;
         is_plain_ = format_.grid() && !format_.has_escapes && !format_.has_levels &&
-                    !format_.has_along && !courses_ && !index_;
+                    !format_.has_along && !courses_ && !echoes_;
     }
 
     void reserve(std::size_t vertices) {
         values_.reserve(vertices);
         if (keeps_exact_) exact_.reserve(vertices);
         sizes_.reserve(vertices);
-        if (index_) index_->reserve(vertices);
+        if (echoes_) echoes_->reserve(vertices);
     }
 
     // False: a value no encoder writes.
@@ -61,31 +60,35 @@ class PositionCodes {
         guess(stencil, g, whole);
         // The middle of an edge tells more than an echo.
         const bool edge = stencil.configuration == Configuration::edge;
-        Found found;
-        bool echoed = false;
+        Earlier found;
+        bool told = false;         // by the vertex found
+        bool stays = true;         // is it where that one is?
         std::uint32_t family = 0;  // of contexts
-        if (courses_ && !edge) {
-            const Id leader = courses_->next(stencil, static_cast<Id>(values_.size()), prior_);
-            if (leader != kNone) {
-                found = find_follow(stencil, leader, g);
-                echoed = code_followed(found, truth, whole);
-                family = 3;
-            }
+        prior_ = courses_ && !edge ? courses_->next(stencil, next_vertex(), prior_) : kNone;
+        if (prior_ != kNone) {
+            found = find_follow(stencil, prior_, g);
+            told = code_followed(found, truth, whole);
+            family = 3;
+            if (!told) prior_ = kNone;
         }
-        if (index_ && !echoed && !edge) {
-            found = find_echo(g);
+        if (echoes_ && !told && !edge) {
+            found = echoes_->find(g, values_, exact_);
             family = 0;
-            if (found.vertex != ~Id{0}) echoed = code_echoed(found, truth, whole);
-            without_ = echoed ? 0 : without_ + 1;
+            if (found.vertex != kNone)
+                told = echoes_->is_told(found, Coder::kWrites && is_better(found, truth, whole, 2));
+            echoes_->looked(told);
+            stays = echoes_->stays(found);
+            if (told && echoes_->moves_only(found)) prior_ = found.vertex;
         }
-        prior_ = echoed && (family == 3 || format_.echoes[found.echo].moves_only()) ? found.vertex
-                                                                                    : kNone;
-        const bool along = format_.has_along && !echoed && code_along(stencil, truth);
+        const bool along = format_.has_along && !told && code_along(stencil, truth);
         const Stencil& guessed = along ? border_ : stencil;
         if (along) guess(border_, g, whole);
         sizes_.begin(guessed);
         const bool levels = format_.has_levels && !edge;
         if (levels) levels_.begin(guessed);
+        const bool may_be_same = told && (found.copies || format_.numbers.digits == 0);
+        const bool all_same = may_be_same && code_all_same(found, truth, family);
+        std::uint32_t sames = 0;  // a bit for each axis that is the same
         Point3 value{}, exact{};
         bool sane = true;
         for (std::size_t step = 0; step < 3 && sane; ++step) {
@@ -99,16 +102,11 @@ class PositionCodes {
             std::uint64_t size = 0;
             bool same = false;
             const auto a = static_cast<std::uint32_t>(axis);
-            if (echoed) {
-                if (found.copies || format_.numbers.digits == 0) {
-                    std::uint32_t& history = family == 0 ? same_ : follow_same_;
-                    const auto& block =
-                        family == 0 ? ResidualContexts::same : ResidualContexts::follow_same;
-                    same = coder_.flag(
-                        block.at(a, history),
-                        Coder::kWrites && is(number, found.value[axis], found.exact[axis]));
-                    history = (history << 1 | (same ? 1u : 0u)) & 3;
-                }
+            if (told) {
+                // The last one is not if the others are, as not all of them are.
+                same =
+                    all_same || (may_be_same && sames != 3 && code_same(found, number, a, family));
+                sames |= (same ? 1u : 0u) << axis;
                 if (same) {
                     value[axis] = found.value[axis];
                     if (found.copies) exact[axis] = found.exact[axis];
@@ -145,11 +143,11 @@ class PositionCodes {
                 sizes_.coded_off_plane(
                     axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
         }
-        if (echoed)
+        if (told)
             sizes_.push_half();
         else
             sizes_.push();
-        add(value, exact);
+        add(value, exact, stays && found.copies && all_same);
         return sane;
     }
 
@@ -176,22 +174,23 @@ class PositionCodes {
         sizes_.push_half();
         // As if it followed: what comes next may go on with the same part.
         const bool has_course = courses_ && stencil.configuration != Configuration::edge;
-        prior_ =
-            has_course ? courses_->next(stencil, static_cast<Id>(values_.size()), prior_) : kNone;
+        prior_ = has_course ? courses_->next(stencil, next_vertex(), prior_) : kNone;
         Point3 value{}, exact{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Scaled s = scaled_of(format_.numbers, truth[axis]);
             value[axis] = s.units;
             exact[axis] = s.exact;
         }
-        add(value, exact);
+        const bool stays = prior_ != kNone && values_[prior_] == value &&
+                           (!keeps_exact_ || exact_[prior_] == exact);
+        add(value, exact, stays);
     }
 
     // A vertex at the place of an earlier one.
     void copy(Id of) {
         const Point3 value = values_[of];
         sizes_.push_nothing();
-        add(value, keeps_exact_ ? exact_[of] : Point3{});
+        add(value, keeps_exact_ ? exact_[of] : Point3{}, true);
     }
 
     const PositionFormat& format() const { return format_; }
@@ -209,21 +208,17 @@ class PositionCodes {
     const std::vector<Escape>& escapes() const { return escapes_; }
 
   private:
-    struct Found {
-        Id vertex = ~Id{0};
-        std::size_t echo = 0;
-        double distance = 0;
-        std::array<std::int64_t, 3> whole{};  // of the echo
-        Point3 value{}, exact{};              // of the echo; exact only if
-        bool copies = false;                  // its coordinates are known to the last bit
-    };
+    Id next_vertex() const { return static_cast<Id>(values_.size()); }
 
-    void add(const Point3& value, const Point3& exact) {
+    // `stays`: where an earlier vertex stands, which is enough for who looks for one.
+    void add(const Point3& value, const Point3& exact, bool stays) {
+        const Id v = next_vertex();
         values_.push_back(value);
         if (keeps_exact_) exact_.push_back(exact);
-        if (index_) index_->insert(value);
-        levels_.insert(value, static_cast<Id>(values_.size() - 1));
-        if (courses_) courses_->insert(static_cast<Id>(values_.size() - 1));
+        if (echoes_ && stays) echoes_->skip();
+        if (echoes_ && !stays) echoes_->insert(value);
+        if (!stays) levels_.insert(value, v);
+        if (courses_) courses_->insert(v);
     }
 
     Point3 guess_at(const Stencil& stencil) {
@@ -265,62 +260,7 @@ class PositionCodes {
         return false;
     }
 
-    // The nearest vertex that any echo leads to. The echo that served last is enough while it leads
-    // close by; after a while without any, the others are looked at in turn, one a vertex.
-    Found find_echo(const Point3& g) const {
-        Found found;
-        const std::size_t count = format_.echoes.size();
-        const auto look = [&](std::size_t e) {
-            const auto near = index_->nearest(format_.echoes[e].back(g), values_);
-            if (near.vertex == ~Id{0} ||
-                (found.vertex != ~Id{0} && near.distance >= found.distance))
-                return;
-            found.vertex = near.vertex;
-            found.distance = near.distance;
-            found.echo = e;
-        };
-        look(last_echo_);
-        const bool close =
-            found.vertex != ~Id{0} && echoed_ == 7 && found.distance < index_->side() / 4;
-        const std::size_t turn = values_.size() % count;
-        for (std::size_t e = 0; e < count && !close; ++e)
-            if (e != last_echo_ && (without_ < kPatience || e == turn)) look(e);
-        if (found.vertex == ~Id{0}) return found;
-        const Echo& echo = format_.echoes[found.echo];
-        found.copies = true;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto w = static_cast<std::int64_t>(values_[found.vertex][k]);
-            found.whole[k] = std::clamp(echo.mirrored[k] ? echo.offset[k] - w : echo.offset[k] + w,
-                                        -most_, most_);
-            found.value[k] = echo_value(found, k);
-            if (keeps_exact_)
-                found.exact[k] =
-                    echo.mirrored[k] ? mirrored(exact_[found.vertex][k]) : exact_[found.vertex][k];
-        }
-        return found;
-    }
-
     static int width_of(std::int64_t r) { return static_cast<int>(std::bit_width(magnitude(r))); }
-    // The writer takes an echo where its residuals are smaller than the guess's.
-    bool code_echoed(const Found& found, const Position& truth,
-                     const std::array<std::int64_t, 3>& whole) {
-        bool better = false;
-        if constexpr (Coder::kWrites) better = is_better(found, truth, whole, 2);
-        const auto far =
-            static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(found.distance)));
-        better = coder_.flag(ResidualContexts::echo.at(far, echoed_), better);
-        echoed_ = (echoed_ << 1 | (better ? 1u : 0u)) & 7;
-        if (better) last_echo_ = found.echo;
-        return better;
-    }
-
-    double mirrored(double x) const { return x == 0 && !format_.numbers.has_minus_zero ? 0 : -x; }
-    double echo_value(const Found& found, std::size_t axis) const {
-        const Echo& echo = format_.echoes[found.echo];
-        const double w = values_[found.vertex][axis], o = static_cast<double>(echo.offset[axis]);
-        if (o == 0) return echo.mirrored[axis] ? mirrored(w) : w;
-        return echo.mirrored[axis] ? o - w : o + w;
-    }
     // To the last bit; of long decimals several have the same units.
     bool is(const Number& truth, double units, double exact) const {
         if (truth.escaped) return false;
@@ -330,11 +270,10 @@ class PositionCodes {
     }
 
     // The vertex as its leader stands among its neighbours.
-    Found find_follow(const Stencil& stencil, Id leader, const Point3& g) {
-        Found found;
+    Earlier find_follow(const Stencil& stencil, Id leader, const Point3& g) {
+        Earlier found;
         found.vertex = leader;
-        const auto v = static_cast<Id>(values_.size());
-        const Stencil before = shifted(stencil, v - leader);
+        const Stencil before = shifted(stencil, next_vertex() - leader);
         found.copies = true;
         for (std::size_t i = 0; i < 3 && stencil.at[i] != kNone; ++i)
             found.copies = found.copies && values_[stencil.at[i]] == values_[before.at[i]];
@@ -354,7 +293,7 @@ class PositionCodes {
         }
         return found;
     }
-    bool code_followed(const Found& found, const Position& truth,
+    bool code_followed(const Earlier& found, const Position& truth,
                        const std::array<std::int64_t, 3>& whole) {
         bool better = false;
         if constexpr (Coder::kWrites) better = is_better(found, truth, whole, 1);
@@ -362,7 +301,30 @@ class PositionCodes {
         followed_ = (followed_ << 1 | (better ? 1u : 0u)) & 7;
         return better;
     }
-    bool is_better(const Found& found, const Position& truth,
+    // Is the vertex where what was found says, to the last bit? Then coordinate by coordinate.
+    bool code_all_same(const Earlier& found, const Position& truth, std::uint32_t family) {
+        bool same = Coder::kWrites;
+        for (std::size_t axis = 0; axis < 3 && same; ++axis)
+            same = is(truth[axis], found.value[axis], found.exact[axis]);
+        std::uint32_t& history = family == 0 ? all_same_ : follow_all_same_;
+        same = coder_.flag(ResidualContexts::all_same.at(family, history, found.copies), same);
+        history = (history << 1 | (same ? 1u : 0u)) & 7;
+        return same;
+    }
+    bool code_same(const Earlier& found, const Number& truth, std::uint32_t axis,
+                   std::uint32_t family) {
+        std::uint32_t& history = family == 0 ? same_ : follow_same_;
+        const auto& block = family == 0 ? ResidualContexts::same : ResidualContexts::follow_same;
+        const bool same =
+            coder_.flag(block.at(axis, history),
+                        Coder::kWrites && is(truth, found.value[axis], found.exact[axis]));
+        history = (history << 1 | (same ? 1u : 0u)) & 3;
+        return same;
+    }
+
+    // The writer takes what an earlier vertex says where its residuals are smaller than the
+    // guess's.
+    bool is_better(const Earlier& found, const Position& truth,
                    const std::array<std::int64_t, 3>& whole, int price) const {
         int by_echo = price, by_guess = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -384,20 +346,19 @@ class PositionCodes {
 
     Coder& coder_;
     const PositionFormat format_;
+    const std::int64_t most_;
+    const bool keeps_exact_;
+    bool is_plain_ = false;
     Predictor predictor_;
-    std::int64_t most_ = 0;
-    bool keeps_exact_ = false, is_plain_ = false;
     ResidualSizes sizes_;
     LevelCodes<Coder> levels_;
     RestCodes<Coder> rest_;
     std::vector<Point3> values_, exact_;
     std::vector<Escape> escapes_;
-    std::optional<VertexIndex> index_;
+    std::optional<EchoCodes<Coder>> echoes_;
     std::optional<Courses> courses_;
-    static constexpr std::uint64_t kPatience = 8;
-    std::size_t last_echo_ = 0;
-    std::uint64_t without_ = 0;  // vertices since an echo served
-    std::uint32_t echoed_ = 0, same_ = 0, followed_ = 0, follow_same_ = 0;
+    std::uint32_t same_ = 0, all_same_ = 0, followed_ = 0, follow_same_ = 0,
+                  follow_all_same_ = 0;  // the last answers
     Id prior_ = kNone;
     Stencil border_;  // of the vertex that goes on with a border, and the plane of that
     BorderPlane plane_;

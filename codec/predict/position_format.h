@@ -10,6 +10,7 @@
 #include "mesh/complex.h"
 #include "mesh/point3.h"
 #include "predict/echoes.h"
+#include "predict/grid.h"
 #include "predict/numbers.h"
 #include "predict/predictor.h"
 
@@ -33,13 +34,16 @@ struct PositionFormat {
     int lag = 1;               // which of the last ones leads; at most kMostLag
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
-    bool looks_far = false;    // a cube to every side, not half of one
     // Lossless tets: integers that stand for the numbers where the walk asks for places.
     bool has_stand_ins = false;
     Point3 place_origin{};
     double place_scale = 1;
 
     bool grid() const { return numbers.base == NumberBase::grid; }
+    // Values are below that.
+    std::int64_t most() const { return grid() ? kMostGrid : kMostWhole; }
+    // Values alone do not tell the last bit.
+    bool keeps_exact() const { return numbers.base == NumberBase::decimal && numbers.digits > 0; }
     bool operator==(const PositionFormat&) const = default;
 };
 
@@ -52,6 +56,16 @@ inline Point3 units_of(const NumberFormat& format, const Position& position) {
         units[axis] = scaled_of(format, position[axis]).units;
     return units;
 }
+
+// An earlier vertex, and what it says of the new one.
+struct Earlier {
+    Id vertex = kNone;
+    std::size_t echo = 0;                 // which one leads to it, and
+    double distance = 0;                  // how far from it the echo of the guess is
+    std::array<std::int64_t, 3> whole{};  // of the new vertex
+    Point3 value{}, exact{};              // exact only if
+    bool copies = false;                  // its coordinates are known to the last bit
+};
 
 // The bits of an escaped coordinate.
 struct Escape {

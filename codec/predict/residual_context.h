@@ -39,7 +39,8 @@ struct ResidualContexts {
     static constexpr ContextBlock along{follow_same.end(), 3, 16};
     static constexpr ContextBlock known{along.end(), 10, 4, 8, 2};
     static constexpr ContextBlock pair{known.end(), 10, 4, 8, 2};
-    static constexpr Context count = pair.end();
+    static constexpr ContextBlock all_same{pair.end(), 2, 8, 2};  // follows, history, copies
+    static constexpr Context count = all_same.end();
 };
 
 // What a residual is expected to be like.

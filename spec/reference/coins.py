@@ -110,7 +110,7 @@ def make_head(keeps_order):
 
 
 def make_positions_head(head):
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0, has_pairs=False)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, level_bits=0, has_pairs=False)
     p.has_escapes = coin(0.3)
     p.has_minus_zero = head.lossless and coin(0.3)
     p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
@@ -129,8 +129,7 @@ def make_positions_head(head):
     if has_echoes:
         count = random.choice((1, 2, 3, 8))
         p.cube_bits = random.choice((0, 1, 2, 3, 4, 6, 8, 12, 52))
-        p.looks_far = coin(0.5)
-        out += bytes([count, p.cube_bits | p.looks_far << 7])
+        out += bytes([count, p.cube_bits])
         for _ in range(count):
             offset = [0 if p.digits or coin(0.2) else random.randint(-60, 60) for _ in range(3)]
             p.echoes.append((random.randrange(8), offset))

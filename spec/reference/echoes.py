@@ -4,7 +4,7 @@ import math
 
 from conventions import MASK64, NONE, clamp, scale, width
 
-MOST_LOOKED_AT = 12
+MOST_LOOKED_AT = 24
 
 
 def slots(block):
@@ -13,23 +13,13 @@ def slots(block):
     return 1 << (least - 1).bit_length()
 
 
-def cube(x):
-    return math.floor(clamp(x, -(2.0**60), 2.0**60))
+class Cubes:
+    """A grid of cubes and its slots; a side has 2^shift halves of a small side."""
 
-
-class Echoes:
-    def __init__(self, block, head, positions):
-        self.positions = positions
-        self.echoes = head.echoes  # (mirrored, offset) each
-        self.side = scale(1.0, head.cube_bits)
-        self.inverse = scale(1.0, -head.cube_bits)
-        self.looks_far = head.looks_far
-        self.has_minus_zero = head.has_minus_zero
-        self.H = slots(block)
+    def __init__(self, shift, slots):
+        self.shift = shift
+        self.slots = slots
         self.index = {}
-        self.last = 0
-        self.history = 0
-        self.without = 0
 
     def slot(self, x, y, z):
         mixed = (
@@ -37,34 +27,69 @@ class Echoes:
             ^ (y * 0xC2B2AE3D27D4EB4F & MASK64)
             ^ (z * 0x165667B19E3779F9 & MASK64)
         )
-        return (mixed >> 32) % self.H
+        return (mixed >> 32) % self.slots
+
+    def enter(self, v, half):
+        self.index.setdefault(self.slot(*(h >> self.shift for h in half)), []).append(v)
+
+    def about(self, half):
+        """The slots of the cubes about a point, with their vertices in the order of their numbers."""
+        low = [(h - (1 << self.shift - 1)) >> self.shift for h in half]
+        for z in (low[2], low[2] + 1):
+            for y in (low[1], low[1] + 1):
+                for x in (low[0], low[0] + 1):
+                    yield self.index.get(self.slot(x, y, z), ())
+
+
+class Echoes:
+    def __init__(self, block, head, positions):
+        self.positions = positions
+        self.echoes = head.echoes  # (mirrored, offset) each
+        self.side = scale(1.0, head.cube_bits)
+        self.halves = scale(1.0, 4 - head.cube_bits)
+        self.has_minus_zero = head.has_minus_zero
+        H = slots(block)
+        self.small = Cubes(1, H)
+        self.large = Cubes(4, H // 4)
+        self.last = 0
+        self.history = 0
+        self.without = 0
+
+    def half(self, x):
+        return math.floor(clamp(x * self.halves, -(2.0**60), 2.0**60))
 
     def enter(self, v):
-        q = self.positions.value[v]
-        slot = self.slot(*(cube(x * self.inverse) for x in q))
-        self.index.setdefault(slot, []).append(v)
+        half = [self.half(x) for x in self.positions.value[v]]
+        self.small.enter(v, half)
+        self.large.enter(v, half)
 
     def nearest(self, p):
         """The vertex, NONE if there is none, and d."""
-        rho = 1.0 if self.looks_far else 0.5
-        d = self.side * rho
+        half = [self.half(x) for x in p]
+        if not any(self.large.about(half)):
+            return NONE, math.inf
+        found, d = self.nearest_in(self.small, half, p, self.side / 16)
+        if found == NONE:
+            found, d = self.nearest_in(self.large, half, p, self.side / 2)
+        return found, d
+
+    def nearest_in(self, cubes, half, p, d):
         found = NONE
-        s = [x * self.inverse for x in p]
-        low = [cube(x - rho) for x in s]
-        high = [min(cube(x + rho), low[axis] + 2) for axis, x in enumerate(s)]
-        for z in range(low[2], high[2] + 1):
-            for y in range(low[1], high[1] + 1):
-                for x in range(low[0], high[0] + 1):
-                    for v in self.index.get(self.slot(x, y, z), ())[: -MOST_LOOKED_AT - 1 : -1]:
-                        q = self.positions.value[v]
-                        sum = abs(q[0] - p[0]) + abs(q[1] - p[1]) + abs(q[2] - p[2])
-                        if sum < d:
-                            d = sum
-                            found = v
+        for vertices in cubes.about(half):
+            for v in vertices[: -MOST_LOOKED_AT - 1 : -1]:
+                q = self.positions.value[v]
+                sum = abs(q[0] - p[0]) + abs(q[1] - p[1]) + abs(q[2] - p[2])
+                if sum < d:
+                    d = sum
+                    found = v
         return found, d
 
     def look_for(self, v, guess):
         """1, 2: (vertex, d, e), or None if there is no echo for vertex v."""
+        seldom = self.without >= 64
+        if seldom and v % 2:
+            return None
+        t = v // 2 if seldom else v
         best = None
 
         def look(e):
@@ -79,9 +104,9 @@ class Echoes:
                 best = found, d, e
 
         look(self.last)
-        if not (best and self.history == 7 and best[1] < self.side / 4):
+        if not (best and best[1] < self.side / (4 if self.history % 2 else 16)):
             for e in range(len(self.echoes)):
-                if e != self.last and (self.without < 8 or e == v % len(self.echoes)):
+                if e != self.last and (self.without < 8 or e == t % len(self.echoes)):
                     look(e)
         return best
 
@@ -97,6 +122,11 @@ class Echoes:
                 self.last = e
         self.without = 0 if echoed else self.without + 1
         return (found, e) if echoed else None
+
+    def stays(self, e):
+        """8.4 step 8: whether echo e tells of the very place."""
+        mirrored, offset = self.echoes[e]
+        return mirrored == 0 and not any(offset)
 
     def mirror(self, x):
         return 0.0 if x == 0 and not self.has_minus_zero else -x

@@ -82,12 +82,12 @@ class Levels:
         self.before_known = [False] * 3
         self.history = [0, 0, 0]
 
-    def enter(self, v):
-        """A vertex that has its values, copies too."""
+    def enter(self, v, stays):
+        """A vertex that has its values; `stays`: a copy, or one that stays (8.4 step 8)."""
         value = self.positions.value[v]
-        if self.pairs:
+        if self.pairs and not stays:
             self.pairs.enter(v, value)
-        if self.known:
+        if self.known and not stays:
             self.known.enter(v, value)
 
     def read(self, configuration, stencil, axis, w, beside):

@@ -19,7 +19,7 @@ GRID, DECIMAL, BINARY = range(3)
 def read_positions_head(data, head):
     """8.1"""
     bytes = Bytes(data)
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, looks_far=False, level_bits=0, has_pairs=False)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, level_bits=0, has_pairs=False)
     flags = bytes.u8()
     p.has_follows = bool(flags & 1)
     p.has_along = bool(flags & 2)
@@ -43,9 +43,7 @@ def read_positions_head(data, head):
     if has_echoes:
         count = bytes.u8()
         require(1 <= count <= 8, "echo_count")
-        look = bytes.u8()
-        p.cube_bits = look & 127
-        p.looks_far = bool(look & 128)
+        p.cube_bits = bytes.u8()
         require(p.cube_bits <= 52, "cube_bits")
         for _ in range(count):
             mirrored = bytes.u8()
@@ -106,8 +104,9 @@ class Positions:
         self.along = Along(self) if p.has_along else None
         self.levels = Levels(block, p, self) if p.has_levels else None
         self.prior = NONE
-        self.same_history = 0
-        self.follow_same_history = 0
+        # by whether it follows
+        self.all_same_history = [0, 0]
+        self.same_history = [0, 0]
         self.usual_rest = [0, 0, 0]
         self.rounds = self.base == BINARY and not self.wide
         self.last_minus_zero = [False] * 3
@@ -221,6 +220,10 @@ class Positions:
             # 6
             sizes.begin(stencil[:3], NUMBER[configuration], border.order)
         # 7
+        all_same = None  # if the flag is not read
+        if echo or follows and (repeats or self.digits == 0):
+            all_same = self.read_all_same(follows, repeats)
+        same = [False] * 3
         value = [None] * 3
         coordinate = [None] * 3
         for k in sizes.order:
@@ -229,20 +232,15 @@ class Positions:
                 w[k] = self.whole_of(clamp(border.on_plane(guess, value), -float(self.M), float(self.M)))
                 off_plane = self.along.expected(border)
             # 7.1
-            same = False
             level = None
-            if echo:
-                same = self.flag("same", k, self.same_history)
-                self.same_history = (self.same_history * 2 + same) % 4
-            elif follows and (repeats or self.digits == 0):
-                same = self.flag("follow_same", k, self.follow_same_history)
-                self.follow_same_history = (self.follow_same_history * 2 + same) % 4
+            if all_same is not None:
+                same[k] = all_same or self.read_same(k, follows, same)
             elif not follows and self.levels and not on_edge:
                 beside = value[k - 1] if k > 0 else None
                 level = self.levels.read(configuration, stencil, k, w[k], beside)
-                same = level is not None
+                same[k] = level is not None
             # 7.2
-            if same:
+            if same[k]:
                 if level is not None:
                     value[k] = self.value[level][k]
                     coordinate[k] = self.coordinate[level][k]
@@ -269,20 +267,39 @@ class Positions:
             sizes.r[k] = min(math.trunc(abs(value[k] - guess[k]) + 0.5), MOST32)
         # 8
         sizes.keep(v, sizes.half if follows or echo else None)
-        self.add(tuple(value), tuple(coordinate))
+        stays = all(same) and bool(repeats if follows else echo and self.echoes.stays(echo[1]))
+        self.add(tuple(value), tuple(coordinate), stays)
         if self.followers:
             if on_edge:
                 self.followers.skip()
             else:
                 self.followers.enter(v)
 
-    def add(self, value, coordinate):
+    def read_all_same(self, follows, repeats):
+        """7: whether all axes are the same."""
+        h = self.all_same_history[follows]
+        answer = self.flag("all_same", follows, h, repeats if follows else 1)
+        self.all_same_history[follows] = (h * 2 + answer) % 8
+        return answer
+
+    def read_same(self, k, follows, same):
+        """7.1, where not all are: whether axis k is the same; `same`: which of those before it are."""
+        if k == 2 and same[0] and same[1]:
+            return False
+        h = self.same_history[follows]
+        answer = self.flag("follow_same" if follows else "same", k, h)
+        self.same_history[follows] = (h * 2 + answer) % 4
+        return answer
+
+    def add(self, value, coordinate, stays):
+        """`stays`: it is where an earlier vertex is, as copies are, too."""
         self.value.append(value)
         self.coordinate.append(coordinate)
-        if self.echoes:
-            self.echoes.enter(len(self.value) - 1)
+        v = len(self.value) - 1
+        if self.echoes and not stays:
+            self.echoes.enter(v)
         if self.levels:
-            self.levels.enter(len(self.value) - 1)
+            self.levels.enter(v, stays)
 
     # 8.5.4
 
@@ -355,7 +372,7 @@ class Positions:
 
     def copy(self, original):
         self.sizes.keep(len(self.value), [0, 0, 0])
-        self.add(self.value[original], self.coordinate[original])
+        self.add(self.value[original], self.coordinate[original], True)
         if self.followers:
             self.followers.skip()
 

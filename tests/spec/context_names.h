@@ -54,7 +54,8 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"follow_same", R::follow_same},
                                                 {"along", R::along},
                                                 {"known", R::known},
-                                                {"pair", R::pair}};
+                                                {"pair", R::pair},
+                                                {"all_same", R::all_same}};
     return blocks;
 }
 

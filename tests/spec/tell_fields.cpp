@@ -76,9 +76,8 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
         format.numbers.digits = static_cast<int>(f.u8("digits"));
     }
     if (flags & 64) {
-        const unsigned count = f.u8("echo_count"), look = f.u8("look");
-        format.cube_bits = static_cast<int>(look & 127);
-        format.looks_far = (look & 128) != 0;
+        const unsigned count = f.u8("echo_count");
+        format.cube_bits = static_cast<int>(f.u8("cube_bits"));
         for (unsigned e = 0; e < count; ++e) {
             Echo echo;
             const unsigned mirrored = f.u8("mirrored");
