@@ -140,7 +140,8 @@ class Reader {
         if (status) status = charge_ground(head.place);
         if (!status) return status;
         ReadingCoder coder{
-            bits, models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen)};
+            bits, with_size_kinds(
+                      models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen))};
         std::vector<Id> tuple;
         Around& beside = around(head.place);
         if (coding.tuples != Tuples::own) {

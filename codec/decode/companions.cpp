@@ -134,7 +134,8 @@ class Reader {
         if (all == 0) return Done{};
         FlagDecoder bits(in_.raw(in_.left()));
         ReadingCoder coder{
-            bits, models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen)};
+            bits, with_size_kinds(
+                      models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen))};
         MarkCodes<ReadingCoder, Walked> codes(coder, ground_, marks_, nullptr);
         if (!codes.run() || !bits.finished())
             return corrupt("the marks of the companions make no sense");

@@ -61,8 +61,8 @@ Result<Reorder> read_order(ByteReader& in, const Ground<Walked>& ground,
         return Error{Code::limit_exceeded, in.at(), "the order needs more memory than allowed"};
     budget -= need;
     FlagDecoder bits(in.raw(in.left()));
-    ReadingCoder coder{bits,
-                       models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen)};
+    ReadingCoder coder{bits, with_size_kinds(models_of(kResidualPriors, AttributeContexts::count,
+                                                       kResidualPriorSeen))};
     Reorder order;
     order.old_companion.resize(ground.mesh.companion_count());
     order.companion_turn.resize(order.old_companion.size(), 0);

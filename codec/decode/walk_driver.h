@@ -11,6 +11,7 @@
 #include "mesh/stencil.h"
 #include "predict/position_codes.h"
 #include "predict/priors.h"
+#include "predict/residual_models.h"
 #include "walk/copies.h"
 #include "walk/precedents.h"
 #include "walk/walk.h"
@@ -22,7 +23,7 @@ struct ReadingCoder {
     static constexpr bool kWrites = false;
     FlagDecoder& in;
     std::vector<FlagModel> models =
-        models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen);
+        with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen));
     bool flag(Context context, bool) { return in.flag(models[context]); }
     std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
 };

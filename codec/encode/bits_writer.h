@@ -5,6 +5,7 @@
 #include "entropy/priors.h"
 #include "predict/attribute_contexts.h"
 #include "predict/priors.h"
+#include "predict/residual_models.h"
 
 namespace ravel {
 
@@ -12,7 +13,7 @@ struct BitsWriter {
     static constexpr bool kWrites = true;
     FlagEncoder& out;
     std::vector<FlagModel> models =
-        models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen);
+        with_size_kinds(models_of(kResidualPriors, AttributeContexts::count, kResidualPriorSeen));
     bool flag(Context context, bool truth) {
         out.flag(models[context], truth);
         return truth;

@@ -12,6 +12,7 @@
 #include "entropy/priors.h"
 #include "predict/border_plane.h"
 #include "predict/priors.h"
+#include "predict/residual_models.h"
 
 namespace ravel {
 namespace {
@@ -21,7 +22,7 @@ struct CountingCoder {
     static constexpr bool kWrites = true;
     double bits = 0;
     std::vector<FlagModel> models =
-        models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen);
+        with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen));
     bool flag(Context context, bool truth) {
         FlagModel& model = models[context];
         bits += model.cost(truth);

@@ -5,6 +5,7 @@
 #include "encode/position_pass.h"
 #include "entropy/priors.h"
 #include "predict/priors.h"
+#include "predict/residual_models.h"
 
 namespace ravel {
 namespace {
@@ -14,7 +15,7 @@ struct WritingCoder {
     static constexpr bool kWrites = true;
     FlagEncoder& out;
     std::vector<FlagModel> models =
-        models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen);
+        with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen));
     bool flag(Context context, bool truth) {
         out.flag(models[context], truth);
         return truth;

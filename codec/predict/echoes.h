@@ -27,6 +27,6 @@ struct Echo {
     }
 };
 inline constexpr std::size_t kMostEchoes = 8;
-inline constexpr int kMostCubeBits = 52;
+inline constexpr int kMostCubeBits = 54;
 
 }  // namespace ravel

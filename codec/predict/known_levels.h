@@ -14,7 +14,7 @@
 
 namespace ravel {
 
-inline constexpr int kMostLevelBits = 52;
+inline constexpr int kMostLevelBits = 54;
 
 // Levels in intervals of length 2^bits, hashed; intervals of the same hash share a list, so the
 // hash is part of the format. A list has eight levels, those that were had last. Constant time,

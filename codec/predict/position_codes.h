@@ -99,7 +99,7 @@ class PositionCodes {
                 axis == 0 || (along && plane_.axes()[2] == axis - 1) ? nullptr : &value[axis - 1];
             if (carried) whole[axis] = whole_of(clamped(plane_.carried(g, value)));
             Number number = truth[axis];
-            std::uint64_t size = 0;
+            std::int64_t missed = 0;
             bool same = false;
             const auto a = static_cast<std::uint32_t>(axis);
             if (told) {
@@ -112,7 +112,7 @@ class PositionCodes {
                     if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    size =
+                    missed =
                         code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
                 }
             } else {
@@ -124,12 +124,14 @@ class PositionCodes {
                     value[axis] = values_[levels_.vertex()][axis];
                     if (keeps_exact_) exact[axis] = exact_[levels_.vertex()][axis];
                 } else {
-                    size = code_whole(carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step),
-                                      whole[axis], number.whole);
+                    const double part = carried ? 0 : part_of(g[axis], whole[axis]);
+                    missed =
+                        code_whole(carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step),
+                                   whole[axis], number.whole, sign_by(axis, part));
                 }
             }
             if (!same) {
-                const bool tells = edge && size == 0;  // the guess, of what is behind the point
+                const bool tells = edge && missed == 0;  // the guess, of what is behind the point
                 sane = number.whole < most_ && number.whole > -most_ &&
                        rest_.next(a, tells ? &g[axis] : nullptr, number);
                 if (number.escaped)
@@ -138,7 +140,10 @@ class PositionCodes {
                 value[axis] = s.units;
                 exact[axis] = s.exact;
             }
-            sizes_.coded(axis, size);
+            if (told)
+                sizes_.coded(axis, magnitude(missed));
+            else
+                sizes_.coded_residual(axis, missed);
             if (carried)
                 sizes_.coded_off_plane(
                     axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
@@ -159,7 +164,10 @@ class PositionCodes {
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
             std::int64_t whole = truth[axis].whole;
-            sizes_.coded(axis, code_whole(sizes_.scale(axis, axis), whole_of(g[axis]), whole));
+            const std::int64_t guess = whole_of(g[axis]);
+            const std::int64_t missed = code_whole(sizes_.scale(axis, axis), guess, whole,
+                                                   sign_by(axis, part_of(g[axis], guess)));
+            sizes_.coded_residual(axis, missed);
             sane = whole < most_ && whole > -most_;
             if (sane) value[axis] = static_cast<double>(whole);
         }
@@ -242,6 +250,15 @@ class PositionCodes {
     std::int64_t whole_of(double units) const {
         return format_.numbers.digits > 0 ? static_cast<std::int64_t>(units)
                                           : whole_below(units + 0.5);
+    }
+
+    // What whole_of took off.
+    double part_of(double units, std::int64_t whole) const {
+        return format_.numbers.digits > 0 ? 0 : units - static_cast<double>(whole);
+    }
+
+    auto sign_by(std::size_t axis, double part) const {
+        return [this, axis, part](std::uint32_t size) { return sizes_.sign(size, axis, part); };
     }
 
     // Does the vertex go on with one of the borders beside its gate? Then it is guessed from there.
@@ -335,13 +352,15 @@ class PositionCodes {
         return by_echo < by_guess;
     }
 
-    // Returns how far the guess was off.
-    std::uint64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole) {
-        const std::int64_t r = code_residual(coder_, scale, whole - guess);
+    // Returns by how much the guess was off.
+    template <class Sign = NoSignQuestion>
+    std::int64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole,
+                            const Sign& sign = {}) {
+        const std::int64_t r = code_residual(coder_, scale, whole - guess, sign);
         // A file may hold any residual: the sum wraps.
         whole = static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
                                           static_cast<std::uint64_t>(r));
-        return magnitude(r);
+        return r;
     }
 
     Coder& coder_;

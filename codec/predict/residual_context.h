@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "base/context.h"
@@ -16,11 +18,32 @@ namespace ravel {
 
 // A residual r is coded as: is it 0? Has |r| at least so many bits as expected; then step by step
 // upwards, or downwards, how many it has. The bit below the highest has a context, the rest are as
-// they are, and so is the sign.
+// they are. So is the sign, but where something is known of it (SignQuestion).
 inline constexpr std::uint32_t kScales = 96;          // half octaves of the expected |r|
 inline constexpr std::uint32_t kEchoScale = kScales;  // per axis; then those of followers
 inline constexpr std::uint32_t kUpSteps = 21, kDownSteps = 10;
 inline constexpr std::uint32_t kSizeNodes = 2 + kUpSteps + kDownSteps;
+
+// Guesses of one kind err alike. They are told apart by kind where less than 2^28 is expected.
+// Those of seeds, and whatever is no guess of a position, are of kind 0.
+inline constexpr std::uint32_t kSizeKinds = 5, kKindScales = 64;
+inline constexpr std::uint32_t size_kind(Configuration configuration) {
+    switch (configuration) {
+        case Configuration::seed:
+            return 0;
+        case Configuration::quad_third:
+        case Configuration::tet:
+            return 1;
+        case Configuration::quad_fourth:
+        case Configuration::border:
+            return 2;
+        case Configuration::quad_corner:
+        case Configuration::led:
+            return 3;
+        default:
+            return 4;
+    }
+}
 
 struct ResidualContexts {
     static constexpr ContextBlock size{0, kScales + 6, kSizeNodes};
@@ -40,21 +63,52 @@ struct ResidualContexts {
     static constexpr ContextBlock known{along.end(), 10, 4, 8, 2};
     static constexpr ContextBlock pair{known.end(), 10, 4, 8, 2};
     static constexpr ContextBlock all_same{pair.end(), 2, 8, 2};  // follows, history, copies
-    static constexpr Context count = all_same.end();
+    static constexpr ContextBlock sign{all_same.end(), 4, 2, 7};  // part; size; signs around
+    static constexpr ContextBlock sign_of_large{sign.end(), 4};   // signs around
+    static constexpr ContextBlock size_by{sign_of_large.end(), kSizeKinds - 1, kKindScales,
+                                          kSizeNodes};
+    static constexpr Context count = size_by.end();
 };
 
 // What a residual is expected to be like.
 struct Scale {
     std::uint32_t context = 0;  // of ResidualContexts::size
     std::uint32_t bits = 2;     // |r| is about as likely to have so many bits as fewer
+    std::uint32_t kind = 0;     // of the guess
+
+    // Of the first node.
+    Context nodes() const {
+        using C = ResidualContexts;
+        return kind == 0 ? C::size.at(context) : C::size_by.at(kind - 1, context);
+    }
 };
+
+// A question about the sign of a residual.
+struct SignQuestion {
+    Context context = 0;
+    bool down = false;  // is the residual below 0 if the answer is yes?
+};
+// `size`: digits of |r|. `part`: what rounding took off the guess, at most half a unit; it counts
+// for little where there are more than two digits. `signs`: of the residuals around, of which there
+// are at most three, those above 0 less those below.
+inline SignQuestion sign_question(std::uint32_t size, double part, int signs) {
+    using C = ResidualContexts;
+    if (size > 2)
+        return {C::sign_of_large.base + static_cast<std::uint32_t>(std::abs(signs)), signs < 0};
+    const bool down = part < 0;
+    const auto rounded = static_cast<std::uint32_t>(std::min(std::abs(part) * 8, 3.0));
+    const auto agree = static_cast<std::uint32_t>(down ? 3 - signs : 3 + signs);
+    return {C::sign.base + (2 * rounded + size - 1) * 7 + agree, down};
+}
+// Where nothing is known of it.
+struct NoSignQuestion {};
 
 // Where a magnitude of expected / 16 is expected, below 2^59.
 inline Scale scale_of(std::uint64_t expected) {
     const std::uint64_t x = expected + 1;
     const auto b = static_cast<std::uint32_t>(std::bit_width(x)) - 1;
     const bool half = (b > 15 ? x >> (b - 15) : x << (15 - b)) >= 46341;  // the square root of 2
-    return {std::min(2 * b + (half ? 1u : 0u), kScales - 1), b < 5 ? 2 : b - 3};
+    return {std::min(2 * b + (half ? 1u : 0u), kScales - 1), b < 5 ? 2 : b - 3, 0};
 }
 // The expectation after a magnitude.
 inline void expect(std::uint64_t& expected, std::uint64_t magnitude) {
@@ -67,19 +121,24 @@ class ResidualSizes {
     using Magnitudes = std::array<std::uint32_t, 3>;  // per axis, at most kMost
 
     ResidualSizes() { usual_.fill(kStart); }
-    void reserve(std::size_t vertices) { magnitudes_.reserve(vertices); }
+    void reserve(std::size_t vertices) { known_.reserve(vertices); }
 
     // Before the residuals of a vertex are coded. The point of an edge is as far off as those
     // before; its ends do not tell.
     void begin(const Stencil& stencil) {
         std::array<std::uint64_t, 3> sum{};
         std::uint64_t n = 0;
+        signs_around_ = 0;
         const std::size_t first = stencil.configuration == Configuration::edge ? 2 : 0;
         for (std::size_t i = first; i < first + 3; ++i) {
-            if (stencil.at[i] == kNone) continue;
+            if (stencil.at[i] == kNone) {
+                signs_around_ += kNoSigns;
+                continue;
+            }
             ++n;
+            signs_around_ += known_[stencil.at[i]].signs;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                sum[axis] += magnitudes_[stencil.at[i]][axis];
+                sum[axis] += known_[stencil.at[i]].magnitudes[axis];
         }
         off_sum_ = off_count_ = 0;
         for (std::size_t i = 0; i < 3; ++i)
@@ -88,6 +147,7 @@ class ResidualSizes {
                 ++off_count_;
             }
         usual_of_ = &usual_[static_cast<std::size_t>(stencil.configuration)];
+        kind_ = size_kind(stencil.configuration);
         const std::uint64_t all = sum[0] + sum[1] + sum[2];
         for (std::size_t axis = 0; axis < 3; ++axis) {
             // 13/16 of the axis itself, 3/16 of the mean over the axes; in sixteenths.
@@ -96,6 +156,7 @@ class ResidualSizes {
             mean_[axis] = n == 0 ? 0 : static_cast<std::uint32_t>(part(sum[axis], n));
         }
         now_ = {};
+        signs_now_ = kNoSigns;
         done_ = 0;
     }
     // Of the axis that is coded as the `step`-th.
@@ -103,12 +164,21 @@ class ResidualSizes {
         std::uint64_t e = expected_[axis];
         if (step == 1) e = (13 * e + 3 * 16 * done_) >> 4;
         if (step == 2) e = (23 * e + 9 * 8 * done_) >> 5;
-        return scale_of(e);
+        return of_kind(scale_of(e));
     }
     // Of the last axis of a vertex that goes on with a border: how far off its plane it is.
     Scale scale_off_plane() const {
         const std::uint64_t near = off_count_ == 0 ? usual_off_ : part(16 * off_sum_, off_count_);
-        return scale_of((29 * near + 3 * usual_off_) >> 5);
+        return of_kind(scale_of((29 * near + 3 * usual_off_) >> 5));
+    }
+    SignQuestion sign(std::uint32_t size, std::size_t axis, double part) const {
+        return sign_question(size, part, static_cast<int>(signs_around_ >> (8 * axis) & 7) - 3);
+    }
+    // The residual of a guess.
+    void coded_residual(std::size_t axis, std::int64_t r) {
+        coded(axis, magnitude(r));
+        if (r > 0) signs_now_ += 1u << (8 * axis);
+        if (r < 0) signs_now_ -= 1u << (8 * axis);
     }
     void coded(std::size_t axis, std::uint64_t magnitude) {
         now_[axis] = static_cast<std::uint32_t>(std::min(magnitude, kMost));
@@ -119,33 +189,44 @@ class ResidualSizes {
     void coded_off_plane(std::size_t axis, std::uint64_t by_guess) {
         const std::uint32_t off = std::min(now_[axis], kNone - 1);
         expect(usual_off_, off);
-        off_plane_.resize(magnitudes_.size(), kNone);
+        off_plane_.resize(known_.size(), kNone);
         off_plane_.push_back(off);
         done_ -= now_[axis];
         now_[axis] = 0;
         coded(axis, by_guess);
     }
     void push() {
-        magnitudes_.push_back(now_);
+        known_.push_back({now_, signs_now_});
         *usual_of_ += ((16 * done_ / 3 + 31) >> 5) - ((*usual_of_ + 31) >> 5);
     }
     // A vertex that was not guessed: as half of what is around it, or as nothing.
-    void push_half() { magnitudes_.push_back({mean_[0] / 2, mean_[1] / 2, mean_[2] / 2}); }
-    void push_nothing() { magnitudes_.push_back({}); }
+    void push_half() { known_.push_back({{mean_[0] / 2, mean_[1] / 2, mean_[2] / 2}, kNoSigns}); }
+    void push_nothing() { known_.push_back({{}, kNoSigns}); }
 
   private:
     static constexpr std::uint64_t kMost = 0xFFFFFFFF, kStart = 256;
+    static constexpr std::uint32_t kNoSigns = 0x010101;
 
     // x / n, n being 1 to 3: constants divide faster.
     static std::uint64_t part(std::uint64_t x, std::uint64_t n) {
         return n == 3 ? x / 3 : n == 2 ? x / 2 : x;
     }
 
-    std::vector<Magnitudes> magnitudes_;
+    Scale of_kind(const Scale& scale) const {
+        return {scale.context, scale.bits, scale.context < kKindScales ? kind_ : 0};
+    }
+
+    struct Known {
+        Magnitudes magnitudes;
+        std::uint32_t signs;  // a byte per axis, 0, 1 or 2: below 0, none, above
+    };
+    std::vector<Known> known_;
+    std::uint32_t signs_around_ = 0, signs_now_ = kNoSigns;  // the sum of three
     std::vector<std::uint32_t> off_plane_;  // kNone, or it ends, where no plane was gone on with
     std::uint64_t off_sum_ = 0, off_count_ = 0, usual_off_ = kStart;
     std::array<std::uint64_t, static_cast<std::size_t>(Configuration::count)> usual_;
     std::uint64_t* usual_of_ = nullptr;
+    std::uint32_t kind_ = 0;
     std::array<std::uint64_t, 3> expected_{};
     Magnitudes mean_{}, now_{};
     std::uint64_t done_ = 0;
@@ -153,12 +234,14 @@ class ResidualSizes {
 
 // Codes r through `coder` (the encoder's writes it, the decoder's returns what it reads):
 //     bool flag(Context, bool truth)      uint64 plain(uint64 truth, int count)
-template <class Coder>
-std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r) {
+// `sign(size)`: the question to ask about the sign.
+template <class Coder, class Sign = NoSignQuestion>
+std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r,
+                           const Sign& sign = {}) {
     using C = ResidualContexts;
     const std::uint64_t m = magnitude(r);
     const auto truth = static_cast<std::uint32_t>(std::bit_width(m));
-    const Context nodes = C::size.at(scale.context);
+    const Context nodes = scale.nodes();
     if (coder.flag(nodes, truth == 0)) return 0;
     std::uint32_t size = scale.bits;
     if (coder.flag(nodes + 1, truth >= size)) {
@@ -176,12 +259,20 @@ std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r) {
             std::clamp(size + 8, scale.bits, scale.bits + 15) - scale.bits;
         value = value << 1 | coder.flag(C::second.at(against, size), (m >> (size - 2) & 1) != 0);
     }
-    // The rest of |r|, then the sign.
     const int rest = size >= 2 ? static_cast<int>(size) - 2 : 0;
     const std::uint64_t mask = (std::uint64_t{1} << rest) - 1;
-    const std::uint64_t low = coder.plain((m & mask) << 1 | (r < 0 ? 1 : 0), rest + 1);
-    value = value << rest | low >> 1;
-    return static_cast<std::int64_t>((low & 1) != 0 ? std::uint64_t{0} - value : value);
+    bool negative = r < 0;
+    if constexpr (!std::is_same_v<Sign, NoSignQuestion>) {
+        const SignQuestion question = sign(size);
+        negative = question.down == coder.flag(question.context, question.down == negative);
+        if (rest > 0) value = value << rest | coder.plain(m & mask, rest);
+    } else {
+        // The rest of |r|, then the sign.
+        const std::uint64_t low = coder.plain((m & mask) << 1 | (negative ? 1 : 0), rest + 1);
+        value = value << rest | low >> 1;
+        negative = (low & 1) != 0;
+    }
+    return static_cast<std::int64_t>(negative ? std::uint64_t{0} - value : value);
 }
 
 }  // namespace ravel

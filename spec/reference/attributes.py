@@ -10,6 +10,7 @@ from container import CELL, COMPANION, CORNER, MESH, POINT
 from conventions import Bytes, clamp, f32, i64, scale, unimage, unzigzag
 from errors import Invalid, require
 from flags import Stream
+from guesses import KINDS
 from links import CellLinks, CompanionLinks
 from sizes import Sizes
 from tuples import TupleReader, read_floods, read_in_order
@@ -180,7 +181,7 @@ class Values:
             self.units = float(10**a.places) if a.decimal else scale(1.0, a.places)
         elif a.numbers == GRID and not a.octahedral:
             self.units = 1 / a.step
-        self.sizes = [Sizes(stream, 4) for _ in range((a.arity + 2) // 3)]
+        self.sizes = [Sizes(stream, 4, KINDS[:4]) for _ in range((a.arity + 2) // 3)]
         self.known = []
         self.number = []
         self.values = []

@@ -92,9 +92,9 @@ class CoinStream(Models):
         self.note_bits(below(s, value))
         return value
 
-    def residual(self, context, bits):
+    def residual(self, context, bits, kind=0, sign=None):
         if self.wanted is None:
-            return super().residual(context, bits)
+            return super().residual(context, bits, kind, sign)
         r, self.wanted = self.wanted, None
         m = abs(r)
         size = self.blocks["size"]

@@ -128,14 +128,14 @@ def make_positions_head(head):
         out += varint(zigzag(p.places)) + bytes([p.digits])
     if has_echoes:
         count = random.choice((1, 2, 3, 8))
-        p.cube_bits = random.choice((0, 1, 2, 3, 4, 6, 8, 12, 52))
+        p.cube_bits = random.choice((0, 1, 2, 3, 4, 6, 8, 12, 54))
         out += bytes([count, p.cube_bits])
         for _ in range(count):
             offset = [0 if p.digits or coin(0.2) else random.randint(-60, 60) for _ in range(3)]
             p.echoes.append((random.randrange(8), offset))
             out += bytes([p.echoes[-1][0]]) + b"".join(varint(zigzag(x)) for x in offset)
     if p.has_levels:
-        p.level_bits = random.choice((0, 0, 1, 2, 4, 7, 12, 52))
+        p.level_bits = random.choice((0, 0, 1, 2, 4, 7, 12, 54))
         p.has_pairs = p.level_bits > 0 and coin(0.6)
         out += bytes([p.level_bits | p.has_pairs << 7])
     p.lag = 1
@@ -188,6 +188,7 @@ def make_file(seed, rides=False):
     if alike:
         stream.moods = (0.01, 0.99)
     chances = {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "escape": 0.2}
+    chances["size_by"] = chances["size"]
     positions_stream = CoinStream("positions", chances)
     positions = CoinPositions(head, block, p, positions_stream)
     walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)

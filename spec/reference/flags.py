@@ -63,6 +63,10 @@ def read_priors(path):
                 kind.blocks[words[1]] = block
             else:
                 block.letters += words[0]
+    # 4.6: whatever the kind, as the expected sizes of stencils start
+    positions = kinds["positions"].blocks
+    kinds_of_guess, *context = positions["size_by"].sizes
+    positions["size_by"].letters = positions["size"].letters[: math.prod(context)] * kinds_of_guess
     return kinds
 
 
@@ -89,10 +93,14 @@ ATTRIBUTE_BLOCKS = (
 
 
 def attribute_kind(positions):
-    """11.1: of the contexts of residuals `size` and `second` are used, the others start even."""
+    """11.1: of the contexts of residuals `size`, `second` and `size_by` are used, the others start even."""
     kind = Kind(positions.seen)
     kind.blocks = {name: positions.blocks[name] for name in ("size", "second")}
     base = kind.blocks["second"].base + 256
+    size_by = positions.blocks["size_by"]
+    block = kind.blocks["size_by"] = Block("size_by", base, size_by.sizes)
+    block.letters = size_by.letters
+    base += len(block.letters)
     for name, *sizes in ATTRIBUTE_BLOCKS:
         sizes += [1] * (4 - len(sizes))
         block = kind.blocks[name] = Block(name, base, tuple(sizes))
@@ -147,28 +155,36 @@ class Models:
             n += 1
         return 2 ** (n - 1) + self.plain(n - 1) - 1
 
-    def residual(self, context, bits):
-        """8.6"""
-        size = self.blocks["size"]
-        if self.flag(size, context, 0):
+    def node(self, kind, context, n):
+        """8.6: the flag at node n."""
+        if kind == 0 or context >= 64:
+            return self.flag(self.blocks["size"], context, n)
+        return self.flag(self.blocks["size_by"], kind - 1, context, n)
+
+    def residual(self, context, bits, kind=0, sign=None):
+        """8.6; `sign` tells of the binary digits whether it is negative, None: a plain bit does."""
+        if self.node(kind, context, 0):
             return 0
         s = bits
         step = 0
-        if self.flag(size, context, 1):
-            while s < 64 and self.flag(size, context, 2 + min(step, 20)):
+        if self.node(kind, context, 1):
+            while s < 64 and self.node(kind, context, 2 + min(step, 20)):
                 s += 1
                 step += 1
         else:
             s -= 1
-            while s > 1 and not self.flag(size, context, 23 + min(step, 9)):
+            while s > 1 and not self.node(kind, context, 23 + min(step, 9)):
                 s -= 1
                 step += 1
         m = 1
         if s >= 2:
             m = 2 + self.flag(self.blocks["second"], clamp(s + 8, bits, bits + 15) - bits, s)
         rest = max(s, 2) - 2
+        negative = sign(s) if sign else None
         m = m * 2**rest + self.plain(rest)
-        return i64(-m if self.plain(1) else m)
+        if not sign:
+            negative = self.plain(1)
+        return i64(-m if negative else m)
 
 
 class Stream(Models):

@@ -7,6 +7,7 @@ from conventions import NONE, cross, divide, dot, length, minus, plus, times
 
 NAMES = ("seed", "quad_third", "quad_fourth", "quad_corner", "triangle", "polygon", "tet", "border", "led", "edge")
 NUMBER = {name: i for i, name in enumerate(NAMES)}
+KINDS = (0, 1, 2, 3, 4, 4, 1, 2, 3, 4)  # 8.6, by number
 PLACES = 12  # of a stencil
 TRIANGLE_SET = 7  # the first of its ten
 WEIGHT_COUNT = (2, 5, 6, 10, 3, 7, 5) + 10 * (7,)  # per set

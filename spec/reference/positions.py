@@ -11,6 +11,7 @@ from errors import require
 from followers import Followers
 from guesses import NUMBER
 from levels import Levels
+from signs import Signs, sign_of
 from sizes import MOST32, Sizes, scale_of
 
 GRID, DECIMAL, BINARY = range(3)
@@ -44,7 +45,7 @@ def read_positions_head(data, head):
         count = bytes.u8()
         require(1 <= count <= 8, "echo_count")
         p.cube_bits = bytes.u8()
-        require(p.cube_bits <= 52, "cube_bits")
+        require(p.cube_bits <= 54, "cube_bits")
         for _ in range(count):
             mirrored = bytes.u8()
             require(mirrored < 8, "mirrored of an echo")
@@ -56,7 +57,7 @@ def read_positions_head(data, head):
         levels = bytes.u8()
         p.level_bits = levels & 127
         p.has_pairs = bool(levels & 128)
-        require(p.level_bits <= 52, "level_bits")
+        require(p.level_bits <= 54, "level_bits")
         require(p.level_bits > 0 or not p.has_pairs, "has_pairs without level_bits")
     p.lag = 1
     if p.has_follows:
@@ -98,7 +99,8 @@ class Positions:
         self.value = []
         self.coordinate = []
         self.escaped_bits = {}  # by vertex and axis
-        self.sizes = Sizes(stream, len(guesses.NAMES))
+        self.sizes = Sizes(stream, len(guesses.NAMES), guesses.KINDS)
+        self.signs = Signs(stream)
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
         self.along = Along(self) if p.has_along else None
@@ -181,7 +183,9 @@ class Positions:
         sizes = self.sizes
         on_edge = configuration == "edge"
         near = stencil[2:5] if on_edge else stencil[:3]
-        sizes.begin([p for p in near if p != NONE], NUMBER[configuration])
+        near = [p for p in near if p != NONE]
+        sizes.begin(near, NUMBER[configuration])
+        self.signs.begin(near)
         # 1
         guess = self.guess(configuration, stencil, variant)
         w = [self.whole_of(x) for x in guess]
@@ -219,6 +223,7 @@ class Positions:
             w = [self.whole_of(x) for x in guess]
             # 6
             sizes.begin(stencil[:3], NUMBER[configuration], border.order)
+            self.signs.begin(stencil[:3])
         # 7
         all_same = None  # if the flag is not read
         if echo or follows and (repeats or self.digits == 0):
@@ -226,6 +231,7 @@ class Positions:
         same = [False] * 3
         value = [None] * 3
         coordinate = [None] * 3
+        signs = [0] * 3
         for k in sizes.order:
             off_plane = None
             if border and k == border.last:
@@ -251,11 +257,13 @@ class Positions:
                 continue
             # 7.3
             if echo:
-                residual = sizes.residual(k, 96 + k)
+                residual = sizes.residual_under(k, 96 + k)
             elif follows:
-                residual = sizes.residual(k, 99 + k)
+                residual = sizes.residual_under(k, 99 + k)
             else:
-                residual = sizes.residual(k, e=off_plane)
+                part = 0.0 if self.digits > 0 or off_plane is not None else guess[k] - float(w[k])
+                residual = sizes.residual(k, off_plane, lambda s: self.signs.read(k, part, s))
+                signs[k] = sign_of(residual)
             whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
             require(-self.M < whole < self.M, "whole")
             told = guess[k] if on_edge and residual == 0 else None
@@ -267,6 +275,7 @@ class Positions:
             sizes.r[k] = min(math.trunc(abs(value[k] - guess[k]) + 0.5), MOST32)
         # 8
         sizes.keep(v, sizes.half if follows or echo else None)
+        self.signs.keep(signs)
         stays = all(same) and bool(repeats if follows else echo and self.echoes.stays(echo[1]))
         self.add(tuple(value), tuple(coordinate), stays)
         if self.followers:
@@ -372,6 +381,7 @@ class Positions:
 
     def copy(self, original):
         self.sizes.keep(len(self.value), [0, 0, 0])
+        self.signs.keep([0, 0, 0])
         self.add(self.value[original], self.coordinate[original], True)
         if self.followers:
             self.followers.skip()

@@ -15,8 +15,10 @@ def scale_of(e):
 class Sizes:
     """Magnitudes per element and slot, and `usual` per configuration."""
 
-    def __init__(self, stream, configurations):
+    def __init__(self, stream, configurations, kinds=None):
+        """`kinds`: those of the configurations (8.6), without: 0."""
         self.stream = stream
+        self.kinds = kinds or [0] * configurations
         self.usual = [256] * configurations
         self.magnitudes = {}
 
@@ -34,13 +36,16 @@ class Sizes:
         self.half = [sums[k] // n // 2 if n else 0 for k in range(3)]
         self.r = [0, 0, 0]
 
-    def residual(self, k, context=None, e=None):
-        """A residual of slot k, under its scale, under a context with bits 2 or by an e of its own."""
-        if context is not None:
-            bits = 2
-        else:
-            context, bits = scale_of(self.e(k) if e is None else e)
-        residual = self.stream.residual(context, bits)
+    def residual(self, k, e=None, sign=None):
+        """A residual of slot k, under its scale or by an e of its own; `sign` as for streams."""
+        scale = scale_of(self.e(k) if e is None else e)
+        return self.note(k, self.stream.residual(*scale, self.kinds[self.configuration], sign))
+
+    def residual_under(self, k, context):
+        """A residual of slot k under a context with bits 2."""
+        return self.note(k, self.stream.residual(context, 2))
+
+    def note(self, k, residual):
         self.r[k] = min(abs(residual), MOST32)
         return residual
 

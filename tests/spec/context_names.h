@@ -55,7 +55,10 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"along", R::along},
                                                 {"known", R::known},
                                                 {"pair", R::pair},
-                                                {"all_same", R::all_same}};
+                                                {"all_same", R::all_same},
+                                                {"sign", R::sign},
+                                                {"sign_of_large", R::sign_of_large},
+                                                {"size_by", R::size_by}};
     return blocks;
 }
 

@@ -86,8 +86,9 @@ void InvalidMaker::counts() {
     add(24, "more", "a byte 00 behind connectivity",
         raw_changed("two-quads", SectionId::connectivity,
                     [](Bytes& raw) { raw.push_back(byte(0)); }));
-    add(24, "padding", "the last bit of positions is 1",
-        raw_changed("two-quads", SectionId::positions, [](Bytes& raw) { raw.back() |= byte(1); }));
+    add(24, "padding", "the last bit of connectivity is 1",
+        raw_changed("two-quads", SectionId::connectivity,
+                    [](Bytes& raw) { raw.back() |= byte(1); }));
     add(25, "cells", "one cell less than there are",
         block_changed("torus", kPolygon, [](BlockHead& b) { --b.cells; }));
     block(26, "more", "one vertex less than there are",

@@ -116,7 +116,7 @@ void InvalidMaker::positions() {
     };
     echo("none", "no echoes", echoes(0, 3, 0, 0));
     echo("nine", "nine echoes", echoes(9, 3, 0, 0));
-    echo("cubes", "cube_bits is 53", echoes(1, 53, 0, 0));
+    echo("cubes", "cube_bits is 55", echoes(1, 55, 0, 0));
     echo("mirrored", "mirrored is 8", echoes(1, 3, 8, 0));
     echo("offset", "an offset of 2^53 + 1", echoes(1, 3, 1, kMost + 1));
     // With flags, no weights, and what the first flag asks for.
@@ -131,7 +131,7 @@ void InvalidMaker::positions() {
                 raw = out.take();
             }));
     };
-    headed(40, "levels", "level_bits is 53", 128, 53);
+    headed(40, "levels", "level_bits is 55", 128, 55);
     headed(40, "pairs", "has_pairs where level_bits is 0", 128, 128);
     add(41, "weight", "a weight of 32768",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {

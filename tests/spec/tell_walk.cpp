@@ -8,6 +8,7 @@
 #include "entropy/priors.h"
 #include "predict/edge_points.h"
 #include "predict/priors.h"
+#include "predict/residual_models.h"
 #include "spec/context_names.h"
 #include "spec/tell_fields.h"
 #include "walk/copies.h"
@@ -268,8 +269,10 @@ std::string tell_walk(const Head& head, const BlockHead& block, const Bytes& con
                  tets ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
                       : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen),
                  telling);
-    Stream bits(position_bits, 'p', "positions", position_blocks(),
-                models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen), telling);
+    Stream bits(
+        position_bits, 'p', "positions", position_blocks(),
+        with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen)),
+        telling);
     TraceCoder coder{bits};
     PositionCodes<TraceCoder> positions(coder, format, block.vertices + block.unused_points);
     WalkLimits limits;

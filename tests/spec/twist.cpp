@@ -160,7 +160,7 @@ struct ForcingCoder {
     const std::vector<std::pair<std::string, bool>>& forced;
     FlagEncoder out;
     std::vector<FlagModel> models =
-        models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen);
+        with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen));
 
     bool flag(Context context, bool truth) {
         const std::string block = block_of(position_blocks(), context);

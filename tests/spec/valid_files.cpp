@@ -80,6 +80,7 @@ std::vector<ValidFile> valid_files() {
             EncodeOptions options;
             options.lattice = 1;
             options.float32 = true;
+            options.fast = true;  // no levels
             return options;
         }());
     add("polygon-of-11", "kDegreeRest is not asked for where all degrees are equal",

@@ -82,6 +82,17 @@ void learn_residuals(const Complex& complex, const Course& course, const Positio
     into.take_in(tape.tally);
 }
 
+// Sizes of all kinds start alike.
+void join_kinds(Tally& residual) {
+    using C = ResidualContexts;
+    for (std::uint32_t kind = 1; kind < kSizeKinds; ++kind)
+        for (std::uint32_t node = 0; node < kKindScales * kSizeNodes; ++node) {
+            auto& count = residual.count[C::size_by.at(kind - 1) + node];
+            for (std::size_t k = 0; k < 2; ++k) residual.count[C::size.base + node][k] += count[k];
+            count = {};
+        }
+}
+
 bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
     auto positions = plan_positions(mesh, options);
     auto complex = build_complex(mesh);
@@ -159,6 +170,7 @@ int main(int count, char** words) {
         std::fprintf(stderr, "%s\n", words[i]);
     }
     if (count < 3) return 2;
+    join_kinds(learnt.residual);
     const std::string codec = words[1];
     write(codec + "/walk/priors.h", "the walk's models",
           "namespace surface {\n" + table("kPrior", 1, learnt.surface) +

@@ -1,0 +1,36 @@
+"""8.6: the signs of residuals of vertices."""
+
+import math
+
+
+class Signs:
+    """Per vertex and axis the sign of its residual; 0 where none was read."""
+
+    def __init__(self, stream):
+        self.stream = stream
+        self.contexts = stream.blocks
+        self.of = []
+
+    def begin(self, near):
+        """`near`: up to three vertices that have signs."""
+        self.signs = [sum(self.of[p][k] for p in near) for k in range(3)]
+
+    def read(self, k, part, s):
+        """Whether the residual of axis k, of s binary digits, is negative."""
+        around = self.signs[k]
+        if s > 2:
+            down = around < 0
+            answer = self.stream.flag(self.contexts["sign_of_large"], abs(around))
+        else:
+            down = part < 0
+            way = math.trunc(min(abs(part) * 8, 3))
+            answer = self.stream.flag(self.contexts["sign"], way, s - 1, 3 + (-around if down else around))
+        return down if answer else not down
+
+    def keep(self, signs):
+        """Those of the next vertex."""
+        self.of.append(tuple(signs))
+
+
+def sign_of(residual):
+    return (residual > 0) - (residual < 0)
