@@ -30,13 +30,23 @@ Leftovers& leftovers() {
     return *all;
 }
 
+// Who writes goes on meanwhile, and may open its file in a folder that was just found empty: then
+// the folder stays, with that file, and is removed again.
+void remove_while_written(const fs::path& folder) {
+    constexpr int kMostFiles = 100;  // far more than anyone opens
+    std::error_code failed;
+    for (int i = 0; i < kMostFiles; ++i) {
+        fs::remove_all(folder, failed);
+        if (!failed) return;
+    }
+}
+
 void wait_for_end(sigset_t set) {
     int signal = 0;
     if (sigwait(&set, &signal) != 0) return;
     Leftovers& all = leftovers();
     all.mutex.lock();  // for good: nobody makes or renames anything from here on
-    std::error_code ignored;
-    for (const fs::path& folder : all.folders) fs::remove_all(folder, ignored);
+    for (const fs::path& folder : all.folders) remove_while_written(folder);
     std::signal(signal, SIG_DFL);
     sigset_t one;
     sigemptyset(&one);
