@@ -177,8 +177,8 @@ class ResidualSizes {
     // The residual of a guess.
     void coded_residual(std::size_t axis, std::int64_t r) {
         coded(axis, magnitude(r));
-        // Nobody foresees signs, so nothing branches on them; what is added modulo 2^32 borrows from
-        // no other byte.
+        // Nobody foresees signs, so nothing branches on them; what is added modulo 2^32 borrows
+        // from no other byte.
         signs_now_ += static_cast<std::uint32_t>((r > 0) - (r < 0)) << (8 * axis);
     }
     void coded(std::size_t axis, std::uint64_t magnitude) {
