@@ -1,5 +1,6 @@
 """11.2: what is beside an element."""
 
+import math
 from collections import namedtuple
 
 from container import CORNER
@@ -80,7 +81,8 @@ class Cells:
         return found[:MOST_BESIDE]
 
     def place(self, e):
-        return mean([self.shape.at(c) for c in self.shape.corners(e)[:MOST_CORNERS]])
+        corners = self.shape.corners(e)[:MOST_CORNERS]
+        return mean([self.shape.at(c) for c in corners]) if corners else (math.nan, math.nan, math.nan)
 
 
 class Companions:
