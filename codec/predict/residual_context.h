@@ -96,7 +96,8 @@ inline SignQuestion sign_question(std::uint32_t size, double part, int signs) {
     if (size > 2)
         return {C::sign_of_large.base + static_cast<std::uint32_t>(std::abs(signs)), signs < 0};
     const bool down = part < 0;
-    const auto rounded = static_cast<std::uint32_t>(std::min(std::abs(part) * 8, 3.0));
+    // In this order no `part` whatever leads out of the block.
+    const auto rounded = static_cast<std::uint32_t>(std::min(3.0, std::abs(part) * 8));
     const auto agree = static_cast<std::uint32_t>(down ? 3 - signs : 3 + signs);
     return {C::sign.base + (2 * rounded + size - 1) * 7 + agree, down};
 }

@@ -11,6 +11,7 @@
 #include "predict/grid.h"
 #include "predict/position_codes.h"
 #include "predict/predictor.h"
+#include "predict/vertex_index.h"
 
 using namespace ravel;
 
