@@ -1,5 +1,6 @@
 #include "container/head.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -23,7 +24,60 @@ double get(ByteReader& in, bool narrow) {
     return narrow ? static_cast<double>(std::bit_cast<float>(in.u32())) : in.f64();
 }
 
+constexpr std::uint16_t kWholeBound = 65535;
+double error_of(std::uint16_t share, double bound) {
+    return bound * (share / double{kWholeBound});
+}
+std::uint16_t share_of(double error, double bound) {
+    const double share = error / bound * kWholeBound;
+    auto least = static_cast<std::uint16_t>(share > 0 ? std::min<double>(share, kWholeBound) : 0);
+    while (least < kWholeBound && error_of(least, bound) < error) ++least;
+    return least;
+}
+
+// A coordinate of the origin as a number of steps, if it is a whole one; more than any such number
+// if not.
+constexpr double kMostSteps = 0x1p53;
+double steps_of(double x, double step) {
+    const double steps = std::floor(x / step + 0.5);
+    return std::abs(steps) < kMostSteps && steps * step == x ? steps : kMostSteps;
+}
+
+void write_grid(ByteWriter& out, const Head& head, bool narrow, bool whole_origin, bool half_step) {
+    out.u8(head.position_bits);
+    put(out, head.step, narrow);
+    for (const double x : head.origin)
+        if (whole_origin)
+            out.varint(zigzag(static_cast<std::int64_t>(steps_of(x, head.step))));
+        else
+            put(out, x, narrow);
+    if (!half_step) put(out, head.bound, narrow);
+    out.u16(share_of(head.error, head.bound));
+}
+bool read_grid(ByteReader& in, Head& head, bool narrow, bool whole_origin, bool half_step) {
+    head.position_bits = in.u8();
+    head.step = get(in, narrow);
+    bool sane = std::isfinite(head.step) && head.step > 0 && head.position_bits <= 64;
+    for (double& x : head.origin) {
+        if (whole_origin) {
+            const auto steps = static_cast<double>(unzigzag(in.varint()));
+            sane = sane && std::abs(steps) < kMostSteps;
+            x = steps * head.step;
+        } else {
+            x = get(in, narrow);
+        }
+        sane = sane && std::isfinite(x);
+    }
+    head.bound = half_step ? head.step / 2 : get(in, narrow);
+    head.error = error_of(in.u16(), head.bound);
+    return sane && std::isfinite(head.bound) && head.bound >= 0;
+}
+
 }  // namespace
+
+double kept_error(double error, double bound) {
+    return error_of(share_of(error, bound), bound);
+}
 
 const char* name_of(SectionId id) {
     switch (id) {
@@ -51,17 +105,20 @@ const char* name_of(SectionId id) {
 
 Bytes write_head(const Head& head) {
     ByteWriter out;
-    const double numbers[] = {head.step,      head.origin[0], head.origin[1],
-                              head.origin[2], head.bound,     head.error};
-    bool narrow = !head.lossless;
-    for (const double x : numbers) narrow = narrow && fits_float32(x);
+    const auto& origin = head.origin;
+    const bool whole_origin =
+        !head.lossless && std::all_of(std::begin(origin), std::end(origin), [&](double x) {
+            return steps_of(x, head.step) < kMostSteps;
+        });
+    const bool half_step = !head.lossless && head.bound == head.step / 2;
+    const bool narrow =
+        !head.lossless && fits_float32(head.step) && (half_step || fits_float32(head.bound)) &&
+        (whole_origin || std::all_of(std::begin(origin), std::end(origin), fits_float32));
     out.u8(static_cast<std::uint8_t>(
         (head.kind == CellKind::tet ? 1 : 0) | (head.position_scalar == Scalar::f64 ? 2 : 0) |
-        (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) | (narrow ? 16 : 0)));
-    if (!head.lossless) {
-        out.u8(head.position_bits);
-        for (const double x : numbers) put(out, x, narrow);
-    }
+        (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) | (narrow ? 16 : 0) |
+        (whole_origin ? 32 : 0) | (half_step ? 64 : 0)));
+    if (!head.lossless) write_grid(out, head, narrow, whole_origin, half_step);
     out.varint(head.attributes.size());
     for (const AttributeHead& a : head.attributes) {
         out.text(a.name);
@@ -88,25 +145,15 @@ Result<Head> read_head(ByteReader& in) {
     const auto bad = [&](const char* why) { return Error{Code::corrupt, start, why}; };
     Head head;
     const unsigned flags = in.u8();
-    if (flags > 31 || (flags & 20) == 20)
+    if (flags > 127 || ((flags & 4) != 0 && (flags & 0x70) != 0))
         return bad("the head has flags this version does not know");
     head.kind = flags & 1 ? CellKind::tet : CellKind::polygon;
     head.position_scalar = flags & 2 ? Scalar::f64 : Scalar::f32;
     head.lossless = (flags & 4) != 0;
     head.keeps_order = (flags & 8) != 0;
-    if (!head.lossless) {
-        head.position_bits = in.u8();
-        const bool narrow = (flags & 16) != 0;
-        head.step = get(in, narrow);
-        for (double& o : head.origin) o = get(in, narrow);
-        head.bound = get(in, narrow);
-        head.error = get(in, narrow);
-        bool sane = std::isfinite(head.step) && head.step > 0 && std::isfinite(head.bound) &&
-                    head.bound >= 0 && head.error >= 0 && head.error <= head.bound &&
-                    head.position_bits <= 64;
-        for (const double o : head.origin) sane = sane && std::isfinite(o);
-        if (in.ok() && !sane) return bad("the grid of the positions makes no sense");
-    }
+    if (!head.lossless &&
+        !read_grid(in, head, (flags & 16) != 0, (flags & 32) != 0, (flags & 64) != 0) && in.ok())
+        return bad("the grid of the positions makes no sense");
     const std::uint64_t count = in.varint();
     if (count > in.left() / 4) return bad("more attributes than the head has room for");
     head.attributes.reserve(count);

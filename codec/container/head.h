@@ -67,6 +67,8 @@ inline std::uint64_t grid_blocks_of(std::uint64_t cubes) {
     return (cubes + 3) / 4;
 }
 
+// What the head keeps of an error: the next of 65536 shares of its bound that is not below it.
+double kept_error(double error, double bound);
 Bytes write_head(const Head& head);
 Result<Head> read_head(ByteReader& in);
 Bytes write_block_head(const BlockHead& block, CellKind kind);

@@ -7,8 +7,15 @@
 
 namespace ravel {
 
-Connectivity choose_connectivity(const WalkCodes& codes, const Answers& answers, std::size_t others,
-                                 int level, BlockHead& block) {
+Connectivity by_precedents(const Answers& answers, const BlockHead& block) {
+    std::vector<FlagModel> models = walk_models(CellKind::polygon);
+    FlagEncoder out;
+    answers.tell(Precedents(block.cells, block.corners), models, out);
+    return {out.finish(), out.ideal_bits()};
+}
+
+Connectivity choose_connectivity(const WalkCodes& codes, std::future<Connectivity> told,
+                                 std::size_t others, int level, BlockHead& block) {
     // Precedents take readers a tenth to a quarter of their time.
     constexpr double kWorth = 0.01;  // of connectivity and positions
     Connectivity plain{codes.out.finish(), codes.out.ideal_bits()};
@@ -17,14 +24,11 @@ Connectivity choose_connectivity(const WalkCodes& codes, const Answers& answers,
     };
     const double before = size(plain.bytes),
                  least = kWorth * (before + static_cast<double>(others));
-    if (answers.empty() || before < least) return plain;
-    std::vector<FlagModel> models = walk_models(CellKind::polygon);
-    FlagEncoder out;
-    answers.tell(Precedents(block.cells, block.corners), models, out);
-    Connectivity by_precedents{out.finish(), out.ideal_bits()};
-    if (before - size(by_precedents.bytes) < least) return plain;
+    if (!told.valid() || before < least) return plain;
+    Connectivity other = told.get();
+    if (before - size(other.bytes) < least) return plain;
     block.has_precedents = true;
-    return by_precedents;
+    return other;
 }
 
 }  // namespace ravel

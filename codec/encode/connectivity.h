@@ -2,6 +2,8 @@
 // precedents where that is smaller.
 #pragma once
 
+#include <future>
+
 #include "base/bytes.h"
 #include "container/head.h"
 #include "encode/walk_driver.h"
@@ -13,9 +15,13 @@ struct Connectivity {
     double ideal_bits = 0;
 };
 
-// Sets `block.has_precedents`. `answers`: of a surface; none of a block that is to have no
-// precedents. `others`: bytes of the positions, packed; `level`: zstd's. Linear.
-Connectivity choose_connectivity(const WalkCodes& codes, const Answers& answers, std::size_t others,
-                                 int level, BlockHead& block);
+// `answers` of a surface by their precedents. Linear.
+Connectivity by_precedents(const Answers& answers, const BlockHead& block);
+
+// Sets `block.has_precedents`. `told`: what by_precedents returned, asked for only where it may
+// matter; none of a block that is to have no precedents. `others`: bytes of the positions, packed;
+// `level`: zstd's.
+Connectivity choose_connectivity(const WalkCodes& codes, std::future<Connectivity> told,
+                                 std::size_t others, int level, BlockHead& block);
 
 }  // namespace ravel

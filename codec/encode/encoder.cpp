@@ -132,12 +132,19 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     const bool has_more =
         !mesh.attributes.empty() || !mesh.companions.empty() || options.keep_order;
     // Positions take most of the time; what else there is in the file may be made meanwhile.
-    std::future<SectionBytes> positions = start(threads > 1 && has_more, [&] {
-        const CodedPositions all = in_order(*plan, complex, record, unused, edges);
-        const PositionFormat format =
-            choose_format(all, options.fast, has_more ? std::max(1, threads - 1) : threads);
+    const CodedPositions all = in_order(*plan, complex, record, unused, edges);
+    const auto write = [&](const PositionFormat& format) {
         return packed(write_positions(all, format), options.level);
-    });
+    };
+    std::future<SectionBytes> positions;
+    if (has_more) {
+        positions = start(threads > 1, [&] {
+            return write(choose_format(all, options.fast, std::max(1, threads - 1)));
+        });
+    } else {
+        const PositionFormat format = choose_format(all, options.fast, threads);
+        positions = start(threads > 1, [&write, format] { return write(format); });
+    }
     const StripReading strip = read_strip(course.walked);
     block.links = strip.links;
     block.wants_mending = 100 * static_cast<double>(strip.added_cells) >
@@ -164,9 +171,12 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     if (options.keep_order)
         kept_order = packed(write_order(on_strip.ground(course.walked), companions.turned, order),
                             options.level);
+    std::future<Connectivity> told;
+    if (!answers.empty()) told = start(false, [&] { return by_precedents(answers, block); });
+    if (told.valid() && threads > 1) told.wait();  // while positions are written
     const SectionBytes places = positions.get();
     Connectivity connectivity =
-        choose_connectivity(codes, answers, places.packed.size(), options.level, block);
+        choose_connectivity(codes, std::move(told), places.packed.size(), options.level, block);
     encoded.connectivity_ideal_bytes = connectivity.ideal_bits / 8;
 
     ByteWriter out;

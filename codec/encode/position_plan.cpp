@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "container/head.h"
 #include "encode/numbers.h"
 
 namespace ravel {
@@ -191,8 +192,7 @@ std::size_t mirrored_about(double centre, const std::vector<double>& values, dou
 }
 
 // Where the grid starts on an axis: what is mirrored about zero, or about the middle of the box, is
-// mirrored on the grid too; what lies on it anyhow stays. A number of few digits, unless that would
-// move the grid by more than a sixteenth of the step that was `asked` for.
+// mirrored on the grid too; what lies on it anyhow stays.
 double origin_on(const Array& positions, const Box& box, std::size_t axis, double step,
                  double asked, bool is_own) {
     const double low = box.low[axis], high = box.high[axis];
@@ -209,9 +209,20 @@ double origin_on(const Array& positions, const Box& box, std::size_t axis, doubl
         if (mirrored_about(middle, values, step) > mirrored_about(0, values, step))
             origin = middle - std::ceil((middle - low) * 2 / step) * step / 2;
     }
-    if (!std::isfinite(origin)) return low;
-    const double near = float32_below(origin);
-    return origin - near < asked / 16 ? near : origin;
+    return std::isfinite(origin) ? origin : low;
+}
+
+// The head counts an origin in steps where it is whole ones on all axes. Otherwise it is a number
+// of few digits on each, unless that would move the grid by more than a sixteenth of a step.
+void shorten_origin(Grid& grid, double asked) {
+    const auto is_whole = [&](double x) {
+        return std::floor(x / grid.step + 0.5) * grid.step == x;
+    };
+    if (std::all_of(grid.origin.begin(), grid.origin.end(), is_whole)) return;
+    for (double& x : grid.origin) {
+        const double near = float32_below(x);
+        if (x - near < asked / 16) x = near;
+    }
 }
 
 // The grid number of a coordinate. On a lattice the nearest multiple of the step is found first, so
@@ -312,6 +323,7 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
             grid.origin[axis] = options.lattice
                                     ? std::floor(box.low[axis] / grid.step) * grid.step
                                     : origin_on(positions, box, axis, grid.step, asked, own > 0);
+        if (!options.lattice) shorten_origin(grid, asked);
         place_on_grid(positions, box, options.lattice.has_value(), plan);
     };
     place();
@@ -324,7 +336,9 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
                     ? static_cast<std::uint8_t>(*options.position_bits)
                     : static_cast<std::uint8_t>(std::bit_width(
                           static_cast<std::uint64_t>(std::ceil(longest / grid.step))));
-    plan.error = std::min(float32_above(plan.error), plan.bound);
+    if (!options.max_error && !options.max_error_relative && plan.error <= grid.step / 2)
+        plan.bound = grid.step / 2;
+    plan.error = kept_error(plan.error, plan.bound);
     return plan;
 }
 

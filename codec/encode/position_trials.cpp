@@ -217,6 +217,8 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
     const auto weights = [&](bool along) {
         return fit_weights(record.stencils, places, skip, first.mirrored, along);
     };
+    auto finding_echoes =
+        start(threads > 1 && !fast, [&] { return find_echoes(firm, first.numbers.digits == 0); });
     first.cube_bits = cube_bits_of(record, places, skip);
     first.has_along = fast && may_go_along;
     first.weights = weights(first.has_along);
@@ -226,12 +228,15 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
         return first;
     }
 
-    const Echoes echoes = find_echoes(firm, first.numbers.digits == 0);
-    const bool may_share = vertices < kSmall || has_level_faces(record, places);
-    const auto seeds =
+    const Echoes echoes = finding_echoes.get();
+    const bool may_follow =
         std::count_if(record.stencils.begin(), record.stencils.end(),
-                      [](const Stencil& s) { return s.configuration == Configuration::seed; });
+                      [](const Stencil& s) { return s.configuration == Configuration::seed; }) > 4;
+    auto finding_lag = start(threads > 1 && may_follow,
+                             [&] { return may_follow ? best_lag(record, places, first) : 1; });
+    const bool may_share = vertices < kSmall || has_level_faces(record, places);
     const Weights along_weights = may_go_along ? weights(true) : first.weights;
+    const int lag = finding_lag.get();
     double echo_ratio = 1, level_ratio = 1;
 
     // `when`: is there anything to try? `change`: what is other than in the format kept so far.
@@ -293,8 +298,7 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
             f.has_along = true;
             f.weights = along_weights;
         });
-    if (seeds > 4) {
-        const int lag = best_lag(record, places, first);
+    if (may_follow) {
         offer(kTaken, always, [lag](PositionFormat& f) {
             f.has_follows = true;
             f.lag = lag;

@@ -34,7 +34,9 @@ inline constexpr std::size_t kStencilSize = 12;
 struct Stencil {
     Configuration configuration = Configuration::seed;
     std::uint8_t borders = 0;  // tet: bit e if there is a border across edge e, opposite x_e
-    std::uint8_t variant = 0;  // triangle: by how many cells are known around a and b, below 10
+    // triangle: by how many cells are known around a and b, below 10. seed: how many corners of its
+    // cell were before it, at most 2; unused points have 2.
+    std::uint8_t variant = 0;
     std::array<Id, kStencilSize> at = [] {
         std::array<Id, kStencilSize> none{};
         none.fill(kNone);

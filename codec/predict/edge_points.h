@@ -63,6 +63,7 @@ inline EdgePoints edge_points_of(const std::vector<Index>& corners, const std::v
 // the walk.
 inline Stencil stencil_of_unused(const EdgePoints& edges, Index i, Index vertices) {
     Stencil stencil;
+    stencil.variant = 2;
     std::size_t place = 0;
     Index before = 1;
     if (i < edges.end.size()) {

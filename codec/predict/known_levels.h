@@ -76,8 +76,9 @@ class KnownLevels {
         double least = d[0];
         for (std::size_t i = 1; i < kPlaces; ++i) least = d[i] < least ? d[i] : least;
         if (!(least < best.distance)) return;
-        std::size_t place = 0;
-        while (d[place] != least) ++place;
+        unsigned places = 0;  // a bit for each that is as near
+        for (std::size_t i = 0; i < kPlaces; ++i) places |= (d[i] == least ? 1u : 0u) << i;
+        const auto place = static_cast<std::size_t>(std::countr_zero(places));
         best = {list.vertex[place], list.count[place], least, slot, place};
     }
     std::size_t slot(std::size_t axis, std::int64_t interval) const {

@@ -209,6 +209,7 @@ class OrderCodes {
                  std::vector<Index>& old, Index before) {
         for (const Id e : told) {
             Stencil near;
+            near.variant = 2;  // they tell each other
             double guess = 0;
             if (codes.told() > 0) near.at[0] = codes.told() - 1;
             if (around != nullptr) {

@@ -125,21 +125,25 @@ class ResidualSizes {
     void reserve(std::size_t vertices) { known_.reserve(vertices); }
 
     // Before the residuals of a vertex are coded. The point of an edge is as far off as those
-    // before; its ends do not tell.
+    // before; its ends do not tell. How far a component is from the one before tells nothing of
+    // other vertices, nor do the first corners of its seed of any but these.
     void begin(const Stencil& stencil) {
+        const bool seed = stencil.configuration == Configuration::seed;
+        const std::uint32_t asks = !seed ? kOthers : stencil.variant > 0 ? kSeeds : 0;
+        tells_ = seed ? asks : kOthers | kSeeds;
         std::array<std::uint64_t, 3> sum{};
         std::uint64_t n = 0;
         signs_around_ = 0;
         const std::size_t first = stencil.configuration == Configuration::edge ? 2 : 0;
         for (std::size_t i = first; i < first + 3; ++i) {
-            if (stencil.at[i] == kNone) {
+            if (stencil.at[i] == kNone || (known_[stencil.at[i]].signs & asks) == 0) {
                 signs_around_ += kNoSigns;
                 continue;
             }
+            const Known& known = known_[stencil.at[i]];
             ++n;
-            signs_around_ += known_[stencil.at[i]].signs;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sum[axis] += known_[stencil.at[i]].magnitudes[axis];
+            signs_around_ += known.signs & 0xFFFFFF;
+            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += known.magnitudes[axis];
         }
         off_sum_ = off_count_ = 0;
         for (std::size_t i = 0; i < 3; ++i)
@@ -147,7 +151,8 @@ class ResidualSizes {
                 off_sum_ += off_plane_[stencil.at[i]];
                 ++off_count_;
             }
-        usual_of_ = &usual_[static_cast<std::size_t>(stencil.configuration)];
+        usual_of_ = &usual_[seed ? stencil.variant
+                                 : kOfSeeds - 1 + static_cast<std::size_t>(stencil.configuration)];
         kind_ = size_kind(stencil.configuration);
         const std::uint64_t all = sum[0] + sum[1] + sum[2];
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -198,12 +203,14 @@ class ResidualSizes {
         coded(axis, by_guess);
     }
     void push() {
-        known_.push_back({now_, signs_now_});
+        known_.push_back({now_, signs_now_ | tells_});
         *usual_of_ += ((16 * done_ / 3 + 31) >> 5) - ((*usual_of_ + 31) >> 5);
     }
     // A vertex that was not guessed: as half of what is around it, or as nothing.
-    void push_half() { known_.push_back({{mean_[0] / 2, mean_[1] / 2, mean_[2] / 2}, kNoSigns}); }
-    void push_nothing() { known_.push_back({{}, kNoSigns}); }
+    void push_half() {
+        known_.push_back({{mean_[0] / 2, mean_[1] / 2, mean_[2] / 2}, kNoSigns | kOthers | kSeeds});
+    }
+    void push_nothing() { known_.push_back({{}, kNoSigns | kOthers | kSeeds}); }
 
   private:
     static constexpr std::uint64_t kMost = 0xFFFFFFFF, kStart = 256;
@@ -218,17 +225,22 @@ class ResidualSizes {
         return {scale.context, scale.bits, scale.context < kKindScales ? kind_ : 0};
     }
 
+    // Whom a vertex tells something.
+    static constexpr std::uint32_t kOthers = 1u << 24, kSeeds = 1u << 25;
+    static constexpr std::size_t kOfSeeds = 3;  // variants
     struct Known {
         Magnitudes magnitudes;
-        std::uint32_t signs;  // a byte per axis, 0, 1 or 2: below 0, none, above
+        // A byte per axis, 0, 1 or 2: below 0, none, above. The fourth: whom it tells.
+        std::uint32_t signs;
     };
     std::vector<Known> known_;
     std::uint32_t signs_around_ = 0, signs_now_ = kNoSigns;  // the sum of three
     std::vector<std::uint32_t> off_plane_;  // kNone, or it ends, where no plane was gone on with
     std::uint64_t off_sum_ = 0, off_count_ = 0, usual_off_ = kStart;
-    std::array<std::uint64_t, static_cast<std::size_t>(Configuration::count)> usual_;
+    // Of seeds by variant, then by configuration.
+    std::array<std::uint64_t, kOfSeeds - 1 + static_cast<std::size_t>(Configuration::count)> usual_;
     std::uint64_t* usual_of_ = nullptr;
-    std::uint32_t kind_ = 0;
+    std::uint32_t kind_ = 0, tells_ = 0;
     std::array<std::uint64_t, 3> expected_{};
     Magnitudes mean_{}, now_{};
     std::uint64_t done_ = 0;

@@ -167,6 +167,7 @@ class SurfaceWalk {
                                                            i >= 3 ? known - 3 : kNone});
             else if (known > 0)
                 stencil.at[0] = known - 1;
+            stencil.variant = static_cast<std::uint8_t>(std::min<Id>(i, 2));
             if (!add_vertex(base + i, stencil)) return false;
         }
         near_border_start_ = near_border_end_ = false;

@@ -130,6 +130,7 @@ class TetWalk {
     bool place_seed(Id base) {
         for (Id i = 0; i < 4; ++i) {
             Stencil stencil;
+            stencil.variant = static_cast<std::uint8_t>(std::min<Id>(i, 2));
             const Id known = walked_.vertex_count;
             for (Id j = 0; j < 3 && j < known; ++j) stencil.at[j] = known - 1 - j;
             if (!add_vertex(base + i, stencil)) return false;

@@ -181,7 +181,7 @@ class Values:
             self.units = float(10**a.places) if a.decimal else scale(1.0, a.places)
         elif a.numbers == GRID and not a.octahedral:
             self.units = 1 / a.step
-        self.sizes = [Sizes(stream, 4, KINDS[:4]) for _ in range((a.arity + 2) // 3)]
+        self.sizes = [Sizes(stream, KINDS) for _ in range((a.arity + 2) // 3)]
         self.known = []
         self.number = []
         self.values = []

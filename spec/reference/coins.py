@@ -98,15 +98,31 @@ class CoinTet(CoinWalk, TetWalk):
 
 
 def make_head(keeps_order):
-    head = SimpleNamespace(keeps_order=keeps_order, tets=coin(0.5), wide=coin(0.5), lossless=coin(0.6), step=1.0, origin=(0.0,) * 3)
-    narrow = not head.lossless and coin(0.5)
-    out = bytes([head.tets | head.wide << 1 | head.lossless << 2 | keeps_order << 3 | narrow << 4])
-    if not head.lossless:
-        numbers = [random.choice((1.0, 0.001, 2.0**-10, 1e30)), *(random.uniform(-9, 9) for _ in range(3)), 1.0, 0.5]
-        fields = struct.pack("<6f" if narrow else "<6d", *numbers)
-        head.step, *head.origin = struct.unpack("<6f" if narrow else "<6d", fields)[:4]
-        out += bytes([random.randrange(65)]) + fields
-    return head, out
+    head = SimpleNamespace(keeps_order=keeps_order, tets=coin(0.5), wide=coin(0.5), lossless=coin(0.6))
+    flags = head.tets | head.wide << 1 | head.lossless << 2 | keeps_order << 3
+    return head, bytes([flags]) if head.lossless else make_grid(head, flags)
+
+
+def make_grid(head, flags):
+    """The fields of `head` down to `error`; notes `step` and `origin`."""
+    narrow_head, whole_origin, half_step = coin(0.5), coin(0.5), coin(0.5)
+    real = "<f" if narrow_head else "<d"
+    out = bytes([flags | narrow_head << 4 | whole_origin << 5 | half_step << 6, random.randrange(65)])
+    step = struct.pack(real, random.choice((1.0, 0.001, 2.0**-10, 1e30)))
+    head.step = struct.unpack(real, step)[0]
+    out += step
+    if whole_origin:
+        most = random.choice((0, 9, 10**6, 2**53 - 1))
+        n = [random.choice((-most, most, random.randint(-most, most))) for _ in range(3)]
+        head.origin = [x * head.step for x in n]
+        out += b"".join(varint(zigzag(x)) for x in n)
+    else:
+        origin = [struct.pack(real, random.uniform(-9, 9)) for _ in range(3)]
+        head.origin = [struct.unpack(real, x)[0] for x in origin]
+        out += b"".join(origin)
+    if not half_step:
+        out += struct.pack(real, random.choice((0.0, 1.0)))
+    return out + struct.pack("<H", random.choice((0, 65535, random.randrange(65536))))
 
 
 def make_positions_head(head):
@@ -238,6 +254,10 @@ def make_file(seed, rides=False):
         **riding.sections,
     }
     return whole_file(sections)
+
+
+def has_tets(data):
+    return container.read_sections(data)[container.HEAD][0] & 1 == 1
 
 
 def damage(data):

@@ -54,7 +54,7 @@ def make(head, block, walk):
     if count:
         codings = b"".join(make_coding(h, elements, floods) for h in heads)
         planes = b"".join(make_planes(codings, heads, elements))
-        chances = {"size": random.choice((0.4, 0.7, -1)), "fresh": 0.5, "outlier": 0.1}
+        chances = {"size": random.choice((0.4, 0.7, -1)), "fresh": 0.5, "outlier": 0.5}
         mesh.attributes, section = read(
             codings + planes,
             lambda data, streams: [attributes.read_attributes(data, heads, elements, streams)], chances)

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, corrupt, require
 
-VERSION = 10
+VERSION = 11
 
 HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
 
@@ -71,35 +71,44 @@ def read_head(data):
     """3.2"""
     bytes = Bytes(data)
     flags = bytes.u8()
-    require(flags < 32, "bits 5-7 of head.flags")
+    require(flags < 128, "bit 7 of head.flags")
     head = SimpleNamespace(
         tets=bool(flags & 1),
         wide=bool(flags & 2),
         lossless=bool(flags & 4),
         keeps_order=bool(flags & 8),
         attributes=[],
-        step=1.0,
-        origin=(0.0, 0.0, 0.0),
     )
-    narrow_head = bool(flags & 16)
-    require(not (narrow_head and head.lossless), "narrow_head with lossless")
-    if not head.lossless:
-        real = bytes.f32 if narrow_head else bytes.f64
-        require(bytes.u8() <= 64, "position_bits")
-        head.step = real()
-        head.origin = (real(), real(), real())
-        bound = real()
-        error = real()
-        require(math.isfinite(head.step) and head.step > 0, "step")
-        require(all(math.isfinite(x) for x in head.origin), "origin")
-        require(math.isfinite(bound) and bound >= 0, "bound")
-        require(0 <= error <= bound, "error")
+    if head.lossless:
+        require(not flags & 112, "narrow_head, whole_origin or half_step with lossless")
+    else:
+        read_grid(bytes, head, bool(flags & 16), bool(flags & 32), bool(flags & 64))
     count = bytes.varint()
     require(count <= bytes.left() // 4, "attribute_count")
     for _ in range(count):
         head.attributes.append(read_attribute_head(bytes))
     bytes.end()
     return head
+
+
+def read_grid(bytes, head, narrow_head, whole_origin, half_step):
+    """3.2: the fields from `position_bits` to `error`."""
+    real = bytes.f32 if narrow_head else bytes.f64
+    require(bytes.u8() <= 64, "position_bits")
+    head.step = real()
+    require(math.isfinite(head.step) and head.step > 0, "step")
+    head.origin = tuple(read_steps(bytes) * head.step if whole_origin else real() for _ in range(3))
+    require(all(math.isfinite(x) for x in head.origin), "origin")
+    head.bound = head.step / 2 if half_step else real()
+    require(math.isfinite(head.bound) and head.bound >= 0, "bound")
+    head.error = head.bound * (bytes.u16() / 65535)
+
+
+def read_steps(bytes):
+    """3.2: n of a coordinate of `origin`, a whole number of steps."""
+    n = bytes.zigzag()
+    require(abs(n) < 2**53, "origin in steps")
+    return float(n)
 
 
 def read_attribute_head(bytes):

@@ -11,7 +11,7 @@ from conventions import NONE, Bytes, clamp
 from edges import TET_EDGES
 from errors import require
 from flags import Stream
-from sizes import Sizes
+from sizes import SEED, Sizes
 from tuples import Echo
 from values import LINEAR, shares
 
@@ -35,7 +35,7 @@ class Numbers:
         self.was_near = False
         self.before = None
         self.echo = Echo(N)
-        self.sizes = Sizes(order.stream, 1)
+        self.sizes = Sizes(order.stream)
 
     def tell(self, order, guessing=None):
         """The old numbers of all elements so far; `guessing` are the elements where there are guesses."""
@@ -73,7 +73,7 @@ class Numbers:
             # 3
             magnitudes = [0, 0, 0]
             if way == 0:
-                self.sizes.begin(near, 0)
+                self.sizes.begin(near, SEED, variant=2)
                 self.was_near = self.order.flag("number_near", self.was_near)
                 if self.was_near:
                     number = self.order.read_near(guessed, self.sizes, self.left)

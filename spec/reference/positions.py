@@ -99,7 +99,7 @@ class Positions:
         self.value = []
         self.coordinate = []
         self.escaped_bits = {}  # by vertex and axis
-        self.sizes = Sizes(stream, len(guesses.NAMES), guesses.KINDS)
+        self.sizes = Sizes(stream, guesses.KINDS)
         self.signs = Signs(stream)
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
@@ -184,8 +184,8 @@ class Positions:
         on_edge = configuration == "edge"
         near = stencil[2:5] if on_edge else stencil[:3]
         near = [p for p in near if p != NONE]
-        sizes.begin(near, NUMBER[configuration])
-        self.signs.begin(near)
+        sizes.begin(near, NUMBER[configuration], variant)
+        self.signs.begin(sizes.told_by)
         # 1
         guess = self.guess(configuration, stencil, variant)
         w = [self.whole_of(x) for x in guess]
@@ -222,8 +222,8 @@ class Positions:
             guess = self.guess(configuration, stencil)
             w = [self.whole_of(x) for x in guess]
             # 6
-            sizes.begin(stencil[:3], NUMBER[configuration], border.order)
-            self.signs.begin(stencil[:3])
+            sizes.begin(stencil[:3], NUMBER[configuration], order=border.order)
+            self.signs.begin(sizes.told_by)
         # 7
         all_same = None  # if the flag is not read
         if echo or follows and (repeats or self.digits == 0):
@@ -395,4 +395,4 @@ class Positions:
             if i < len(edges.ends):
                 self.read("edge", [*edges.ends[i], *range(v - 1, v - 1 - min(i, 3), -1)])
             else:
-                self.read("seed", [v - 1] if v > 0 else [])
+                self.read("seed", [v - 1] if v > 0 else [], variant=2)

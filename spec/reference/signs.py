@@ -12,7 +12,7 @@ class Signs:
         self.of = []
 
     def begin(self, near):
-        """`near`: up to three vertices that have signs."""
+        """`near`: those the vertex is told by."""
         self.signs = [sum(self.of[p][k] for p in near) for k in range(3)]
 
     def read(self, k, part, s):

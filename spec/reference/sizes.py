@@ -1,8 +1,13 @@
 """11.7 and 8.6: residuals and their expected sizes, of three slots."""
 
+from collections import defaultdict
+
 from conventions import width
 
 MOST32 = 2**32 - 1
+
+SEED = 0  # the configuration that has variants
+NO_ONE, SEEDS, EVERYONE = range(3)
 
 
 def scale_of(e):
@@ -13,21 +18,24 @@ def scale_of(e):
 
 
 class Sizes:
-    """Magnitudes per element and slot, and `usual` per configuration."""
+    """Magnitudes per element and slot, whom it tells, and `usual` per configuration and variant."""
 
-    def __init__(self, stream, configurations, kinds=None):
-        """`kinds`: those of the configurations (8.6), without: 0."""
+    def __init__(self, stream, kinds=(0,)):
+        """`kinds`: those of the configurations (8.6)."""
         self.stream = stream
-        self.kinds = kinds or [0] * configurations
-        self.usual = [256] * configurations
+        self.kinds = kinds
+        self.usual = defaultdict(lambda: 256)
         self.magnitudes = {}
+        self.tells = {}
 
-    def begin(self, near, configuration, order=(0, 1, 2)):
+    def begin(self, near, configuration, variant=0, order=(0, 1, 2)):
         """`near`: up to three elements that have magnitudes; `order`: in which slots are read."""
-        n = len(near)
-        usual = self.usual[configuration]
         self.configuration = configuration
+        self.variant = variant if configuration == SEED else 0
         self.order = list(order)
+        near = self.told_by = self.who_tells(near)
+        n = len(near)
+        usual = self.usual[configuration, self.variant]
         sums = [sum(self.magnitudes[p][k] for p in near) for k in range(3)]
         self.expected = []
         for k in range(3):
@@ -35,6 +43,14 @@ class Sizes:
             self.expected.append((29 * at + 3 * usual) >> 5)
         self.half = [sums[k] // n // 2 if n else 0 for k in range(3)]
         self.r = [0, 0, 0]
+
+    def who_tells(self, near):
+        """8.6: those of `near` that the element is told by."""
+        if self.configuration != SEED:
+            return [p for p in near if self.tells[p] == EVERYONE]
+        if self.variant == 0:
+            return []
+        return [p for p in near if self.tells[p] != NO_ONE]
 
     def residual(self, k, e=None, sign=None):
         """A residual of slot k, under its scale or by an e of its own; `sign` as for streams."""
@@ -61,9 +77,13 @@ class Sizes:
 
     def keep(self, element, magnitudes=None):
         """The magnitudes of an element: given, or those of its residuals, which change `usual`."""
+        self.tells[element] = EVERYONE
         if magnitudes is None:
             magnitudes = self.r
-            usual = self.usual[self.configuration]
+            if self.configuration == SEED:
+                self.tells[element] = NO_ONE if self.variant == 0 else SEEDS
+            usual = self.usual[self.configuration, self.variant]
             done = sum(self.r)
-            self.usual[self.configuration] = usual + ((16 * done // 3 + 31) >> 5) - ((usual + 31) >> 5)
+            usual += ((16 * done // 3 + 31) >> 5) - ((usual + 31) >> 5)
+            self.usual[self.configuration, self.variant] = usual
         self.magnitudes[element] = magnitudes

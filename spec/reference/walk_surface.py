@@ -126,7 +126,7 @@ class SurfaceWalk(Walk):
             if n == 4 and i == 3:
                 self.new_vertex(base + i, "quad_fourth", [k - 3, k - 1, k - 2])
             elif i >= 1:
-                self.new_vertex(base + i, "seed", [k - 1 - j for j in range(min(i, 3))])
+                self.new_vertex(base + i, "seed", [k - 1 - j for j in range(min(i, 3))], variant=min(i, 2))
             else:
                 self.new_vertex(base + i, "seed", [k - 1] if k > 0 else [])
         for i in range(n):

@@ -94,7 +94,7 @@ class TetWalk(Walk):
         if gate == NONE:
             for i in range(4):
                 k = self.vertex_count
-                self.new_vertex(base + i, "seed", [k - j for j in (1, 2, 3) if k - j >= 0])
+                self.new_vertex(base + i, "seed", [k - j for j in (1, 2, 3) if k - j >= 0], variant=min(i, 2))
             for k in range(3):
                 pair(k, 0, (k + 1) % 3, 1, 1)
             pair(3, 0, 0, 2, 1)

@@ -11,8 +11,10 @@ void InvalidMaker::heads() {
     const auto flags = [&](const char* name, SectionId id, unsigned bits) {
         return raw_changed(name, id, [&](Bytes& raw) { raw[0] |= byte(bits); });
     };
-    add(14, "flags", "bit 5 of flags", flags("two-quads", SectionId::head, 32));
+    add(14, "flags", "bit 7 of flags", flags("two-quads", SectionId::head, 128));
     add(14, "narrow", "narrow_head with lossless", flags("quad", SectionId::head, 16));
+    add(14, "whole-origin", "whole_origin with lossless", flags("quad", SectionId::head, 32));
+    add(14, "half-step", "half_step with lossless", flags("quad", SectionId::head, 64));
     const auto grid = [&](const char* name, const char* says, auto change) {
         add(15, name, says, head_changed("two-quads", change));
     };
@@ -21,7 +23,14 @@ void InvalidMaker::heads() {
     grid("step-nan", "step is no number", [](Head& h) { h.step = kNan; });
     grid("origin", "origin is infinite", [](Head& h) { h.origin[1] = -HUGE_VAL; });
     grid("bound", "bound is negative", [](Head& h) { h.bound = h.error = -1; });
-    grid("error", "error is above bound", [](Head& h) { h.error = 2 * h.bound; });
+    add(15, "steps", "origin is 2^53 steps",
+        raw_changed("two-quads", SectionId::head, [](Bytes& raw) {
+            const std::size_t at = 6;  // flags, position_bits and step before it
+            raw.erase(raw.begin() + at);
+            const unsigned steps[] = {0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x20};
+            for (std::size_t i = 0; i < 8; ++i)
+                raw.insert(raw.begin() + static_cast<std::ptrdiff_t>(at + i), byte(steps[i]));
+        }));
     add(16, "attributes", "attribute_count is 200",
         raw_changed("quad", SectionId::head, [](Bytes& raw) {
             raw[1] = byte(200);

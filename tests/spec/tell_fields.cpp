@@ -28,8 +28,14 @@ void tell_head(Fields f) {
     if ((flags & 4) == 0) {
         f.u8("position_bits");
         const bool narrow = (flags & 16) != 0;
-        for (const char* name : {"step", "origin", "origin", "origin", "bound", "error"})
-            f.real(name, narrow);
+        f.real("step", narrow);
+        for (int axis = 0; axis < 3; ++axis)
+            if ((flags & 32) != 0)
+                f.signed_varint("origin / step");
+            else
+                f.real("origin", narrow);
+        if ((flags & 64) == 0) f.real("bound", narrow);
+        f.u16("error / bound * 65535");
     }
     const std::uint64_t count = f.varint("attribute_count");
     for (std::uint64_t i = 0; i < count; ++i) {
