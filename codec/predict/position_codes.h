@@ -112,8 +112,7 @@ class PositionCodes {
                     if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    missed =
-                        code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
+                    code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
                 }
             } else {
                 if (levels)
@@ -140,18 +139,15 @@ class PositionCodes {
                 value[axis] = s.units;
                 exact[axis] = s.exact;
             }
-            if (told)
-                sizes_.coded(axis, magnitude(missed));
-            else
-                sizes_.coded_residual(axis, missed);
+            // How far off the guess was, whatever told the coordinate.
+            if ((told || same) && sane)
+                missed = static_cast<std::int64_t>(value[axis] - static_cast<double>(whole[axis]));
+            sizes_.coded_residual(axis, missed);
             if (carried)
                 sizes_.coded_off_plane(
                     axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
         }
-        if (told)
-            sizes_.push_half();
-        else
-            sizes_.push();
+        sizes_.push();
         add(value, exact, stays && found.copies && all_same);
         return sane;
     }

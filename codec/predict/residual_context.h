@@ -155,10 +155,12 @@ class ResidualSizes {
                                  : kOfSeeds - 1 + static_cast<std::size_t>(stencil.configuration)];
         kind_ = size_kind(stencil.configuration);
         const std::uint64_t all = sum[0] + sum[1] + sum[2];
+        shares_ = shares_of(stencil.configuration);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            // 13/16 of the axis itself, 3/16 of the mean over the axes; in sixteenths.
-            const std::uint64_t near = n == 0 ? *usual_of_ : part(13 * sum[axis] + all, n);
-            expected_[axis] = (29 * near + 3 * *usual_of_) >> 5;
+            // In sixteenths.
+            const std::uint64_t both = (32 - 3 * shares_.axes) * sum[axis] + shares_.axes * all;
+            const std::uint64_t near = n == 0 ? *usual_of_ : part(both / 2, n);
+            expected_[axis] = ((32 - shares_.usual) * near + shares_.usual * *usual_of_) >> 5;
             mean_[axis] = n == 0 ? 0 : static_cast<std::uint32_t>(part(sum[axis], n));
         }
         now_ = {};
@@ -168,8 +170,8 @@ class ResidualSizes {
     // Of the axis that is coded as the `step`-th.
     Scale scale(std::size_t axis, std::size_t step) const {
         std::uint64_t e = expected_[axis];
-        if (step == 1) e = (13 * e + 3 * 16 * done_) >> 4;
-        if (step == 2) e = (23 * e + 9 * 8 * done_) >> 5;
+        if (step == 1) e = ((32 - shares_.first) * e + shares_.first * 16 * done_) >> 5;
+        if (step == 2) e = ((32 - shares_.both) * e + shares_.both * 8 * done_) >> 5;
         return of_kind(scale_of(e));
     }
     // Of the last axis of a vertex that goes on with a border: how far off its plane it is.
@@ -216,6 +218,16 @@ class ResidualSizes {
     static constexpr std::uint64_t kMost = 0xFFFFFFFF, kStart = 256;
     static constexpr std::uint32_t kNoSigns = 0x010101;
 
+    // What an expectation is made of beside the axis' own, in shares of 1/32.
+    struct Shares {
+        std::uint64_t usual;        // what the configuration's usually are
+        std::uint64_t axes;         // each axis of those around
+        std::uint64_t first, both;  // the axes before, of the second and of the third
+    };
+    static Shares shares_of(Configuration configuration) {
+        return configuration < Configuration::tet ? Shares{1, 1, 4, 6} : Shares{3, 2, 6, 9};
+    }
+
     // x / n, n being 1 to 3: constants divide faster.
     static std::uint64_t part(std::uint64_t x, std::uint64_t n) {
         return n == 3 ? x / 3 : n == 2 ? x / 2 : x;
@@ -241,6 +253,7 @@ class ResidualSizes {
     std::array<std::uint64_t, kOfSeeds - 1 + static_cast<std::size_t>(Configuration::count)> usual_;
     std::uint64_t* usual_of_ = nullptr;
     std::uint32_t kind_ = 0, tells_ = 0;
+    Shares shares_{};
     std::array<std::uint64_t, 3> expected_{};
     Magnitudes mean_{}, now_{};
     std::uint64_t done_ = 0;

@@ -254,27 +254,30 @@ class Positions:
                     value[k] = value_said[k]
                     coordinate[k] = coordinate_said[k]
                     require(abs(value[k]) < self.M, "the value of an echo or of a leader")
-                continue
             # 7.3
-            if echo:
-                residual = sizes.residual_under(k, 96 + k)
-            elif follows:
-                residual = sizes.residual_under(k, 99 + k)
             else:
-                part = 0.0 if self.digits > 0 or off_plane is not None else guess[k] - float(w[k])
-                residual = sizes.residual(k, off_plane, lambda s: self.signs.read(k, part, s))
-                signs[k] = sign_of(residual)
-            whole = i64(residual + (whole_said[k] if echo or follows else w[k]))
-            require(-self.M < whole < self.M, "whole")
-            told = guess[k] if on_edge and residual == 0 else None
-            behind = self.behind_the_point(v, k, whole, told)
-            value[k], coordinate[k] = self.value_and_coordinate(whole, *behind)
+                if echo:
+                    miss = sizes.residual_under(k, 96 + k)
+                elif follows:
+                    miss = sizes.residual_under(k, 99 + k)
+                else:
+                    part = 0.0 if self.digits > 0 or off_plane is not None else guess[k] - float(w[k])
+                    miss = sizes.residual(k, off_plane, lambda s: self.signs.read(k, part, s))
+                whole = i64(miss + (whole_said[k] if echo or follows else w[k]))
+                require(-self.M < whole < self.M, "whole")
+                told = guess[k] if on_edge and miss == 0 else None
+                behind = self.behind_the_point(v, k, whole, told)
+                value[k], coordinate[k] = self.value_and_coordinate(whole, *behind)
+            # 7.4
+            if same[k] or echo or follows:
+                miss = sizes.note(k, math.trunc(value[k] - float(w[k])))
+            signs[k] = sign_of(miss)
         if border:
             k = border.last
             self.along.keep(v, sizes.r[k])
             sizes.r[k] = min(math.trunc(abs(value[k] - guess[k]) + 0.5), MOST32)
         # 8
-        sizes.keep(v, sizes.half if follows or echo else None)
+        sizes.keep(v)
         self.signs.keep(signs)
         stays = all(same) and bool(repeats if follows else echo and self.echoes.stays(echo[1]))
         self.add(tuple(value), tuple(coordinate), stays)

@@ -7,6 +7,7 @@ from conventions import width
 MOST32 = 2**32 - 1
 
 SEED = 0  # the configuration that has variants
+TET = 6  # from here on configurations are of tets
 NO_ONE, SEEDS, EVERYONE = range(3)
 
 
@@ -37,10 +38,11 @@ class Sizes:
         n = len(near)
         usual = self.usual[configuration, self.variant]
         sums = [sum(self.magnitudes[p][k] for p in near) for k in range(3)]
+        a, b, *self.shares = (3, 2, 6, 9) if configuration >= TET else (1, 1, 4, 6)
         self.expected = []
         for k in range(3):
-            at = usual if n == 0 else (13 * sums[k] + sum(sums)) // n
-            self.expected.append((29 * at + 3 * usual) >> 5)
+            at = usual if n == 0 else ((32 - 3 * b) * sums[k] + b * sum(sums)) // 2 // n
+            self.expected.append(((32 - a) * at + a * usual) >> 5)
         self.half = [sums[k] // n // 2 if n else 0 for k in range(3)]
         self.r = [0, 0, 0]
 
@@ -71,9 +73,10 @@ class Sizes:
         done = sum(self.r[j] for j in self.order[:at])
         if at == 0:
             return self.expected[k]
+        c, d = self.shares
         if at == 1:
-            return (13 * self.expected[k] + 48 * done) >> 4
-        return (23 * self.expected[k] + 72 * done) >> 5
+            return ((32 - c) * self.expected[k] + 16 * c * done) >> 5
+        return ((32 - d) * self.expected[k] + 8 * d * done) >> 5
 
     def keep(self, element, magnitudes=None):
         """The magnitudes of an element: given, or those of its residuals, which change `usual`."""

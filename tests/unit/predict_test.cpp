@@ -277,6 +277,37 @@ TEST_CASE("the scale of a residual follows those around and the axes before") {
     CHECK(sizes.scale(0, 0).context < kScales);
 }
 
+TEST_CASE("seeds tell seeds alone, and first ones nobody") {
+    const auto seed = [](std::uint8_t variant, Id before) {
+        Stencil stencil = stencil_of(Configuration::seed, {before});
+        stencil.variant = variant;
+        return stencil;
+    };
+    ResidualSizes sizes;
+    const auto code = [&](const Stencil& stencil, std::int64_t r) {
+        sizes.begin(stencil);
+        for (std::size_t axis = 0; axis < 3; ++axis) sizes.coded_residual(axis, r);
+        sizes.push();
+    };
+    const auto expected_of = [&](const Stencil& stencil) {
+        sizes.begin(stencil);
+        return sizes.scale(0, 0).context;
+    };
+    const Stencil alone = stencil_of(Configuration::polygon, {});
+    const std::uint32_t usually = expected_of(alone), of_seeds = expected_of(seed(2, kNone));
+    code(seed(0, kNone), 1 << 20);
+    code(seed(1, 0), 1 << 10);
+    CHECK(expected_of(stencil_of(Configuration::polygon, {0})) == usually);
+    CHECK(expected_of(stencil_of(Configuration::polygon, {1})) == usually);
+    CHECK(expected_of(seed(2, 0)) == of_seeds);
+    CHECK(expected_of(seed(2, 1)) > of_seeds);
+    CHECK(expected_of(seed(0, 1)) == expected_of(seed(0, kNone)));
+    code(alone, 1 << 10);
+    CHECK(expected_of(stencil_of(Configuration::polygon, {2})) > usually);
+    CHECK(expected_of(stencil_of(Configuration::polygon, {0, 1, 2})) ==
+          expected_of(stencil_of(Configuration::polygon, {2})));
+}
+
 TEST_CASE("grid coordinates are origin and steps, rounded to the mesh's floats") {
     const Grid grid{{0.1, -5, 0}, 0.25};
     CHECK(coordinate_of(grid, 1, 4, Scalar::f64) == -4);
