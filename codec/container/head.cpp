@@ -35,12 +35,9 @@ std::uint16_t share_of(double error, double bound) {
     return least;
 }
 
-// A coordinate of the origin as a number of steps, if it is a whole one; more than any such number
-// if not.
 constexpr double kMostSteps = 0x1p53;
 double steps_of(double x, double step) {
-    const double steps = std::floor(x / step + 0.5);
-    return std::abs(steps) < kMostSteps && steps * step == x ? steps : kMostSteps;
+    return std::floor(x / step + 0.5);
 }
 
 void write_grid(ByteWriter& out, const Head& head, bool narrow, bool whole_origin, bool half_step) {
@@ -75,6 +72,11 @@ bool read_grid(ByteReader& in, Head& head, bool narrow, bool whole_origin, bool 
 
 }  // namespace
 
+bool is_whole_steps(double x, double step) {
+    const double steps = steps_of(x, step);
+    return std::abs(steps) < kMostSteps && steps * step == x;
+}
+
 double kept_error(double error, double bound) {
     return error_of(share_of(error, bound), bound);
 }
@@ -107,9 +109,8 @@ Bytes write_head(const Head& head) {
     ByteWriter out;
     const auto& origin = head.origin;
     const bool whole_origin =
-        !head.lossless && std::all_of(std::begin(origin), std::end(origin), [&](double x) {
-            return steps_of(x, head.step) < kMostSteps;
-        });
+        !head.lossless && std::all_of(std::begin(origin), std::end(origin),
+                                      [&](double x) { return is_whole_steps(x, head.step); });
     const bool half_step = !head.lossless && head.bound == head.step / 2;
     const bool narrow =
         !head.lossless && fits_float32(head.step) && (half_step || fits_float32(head.bound)) &&

@@ -67,6 +67,9 @@ inline std::uint64_t grid_blocks_of(std::uint64_t cubes) {
     return (cubes + 3) / 4;
 }
 
+// Is x as many steps, none of them broken? The head counts an origin in steps where it is on all
+// axes.
+bool is_whole_steps(double x, double step);
 // What the head keeps of an error: the next of 65536 shares of its bound that is not below it.
 double kept_error(double error, double bound);
 Bytes write_head(const Head& head);

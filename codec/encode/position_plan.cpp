@@ -212,13 +212,12 @@ double origin_on(const Array& positions, const Box& box, std::size_t axis, doubl
     return std::isfinite(origin) ? origin : low;
 }
 
-// The head counts an origin in steps where it is whole ones on all axes. Otherwise it is a number
-// of few digits on each, unless that would move the grid by more than a sixteenth of a step.
+// An origin that is not whole steps on all axes is a number of few digits on each, unless that
+// would move the grid by more than a sixteenth of the step that was `asked` for.
 void shorten_origin(Grid& grid, double asked) {
-    const auto is_whole = [&](double x) {
-        return std::floor(x / grid.step + 0.5) * grid.step == x;
-    };
-    if (std::all_of(grid.origin.begin(), grid.origin.end(), is_whole)) return;
+    if (std::all_of(grid.origin.begin(), grid.origin.end(),
+                    [&](double x) { return is_whole_steps(x, grid.step); }))
+        return;
     for (double& x : grid.origin) {
         const double near = float32_below(x);
         if (x - near < asked / 16) x = near;
