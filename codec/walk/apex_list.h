@@ -15,63 +15,73 @@ struct ApexCandidate {
     double height = 0;   // of its sphere
     bool above = false;  // is it on the right side of the gate, and the gate no degenerate one?
     bool beyond_border = false;
-    std::uint8_t fan = 0;     // most tets round one of the edges it folds onto
-    std::uint32_t times = 0;  // edges of the gate it folds onto
+    std::uint8_t fan = 0;    // most tets round one of the edges it folds onto
+    std::uint8_t times = 0;  // edges of the gate it folds onto
 };
 
 // In the order of rank: of height, where each fold makes up for 1/32 of the gate's circumradius
 // (in regular meshes several vertices lie on one sphere); what is not above comes last, more folds
 // first. Of equal ranks the one that came first. Mostly the first two are all that is asked for, so
-// only they are put in their places
-// until `sort`.
+// `lift_two` puts only them in their places.
 class ApexList {
   public:
     // What is beyond those asked for is let go.
     static constexpr std::size_t kMost = 12;
 
     void clear(double height_of_radius) {
-        list_.clear();
+        size_ = 0;
         worth_ = height_of_radius / 32;
     }
-    std::size_t size() const { return list_.size(); }
-    bool empty() const { return list_.empty(); }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
     const ApexCandidate& operator[](std::size_t i) const { return list_[i].candidate; }
 
     // Is it one of the first `among`?
     bool holds(Id vertex, std::size_t among) const {
-        return std::any_of(list_.begin(), list_.begin() + static_cast<std::ptrdiff_t>(among),
-                           [&](const Ranked& r) { return r.candidate.vertex == vertex; });
+        bool is = false;
+        for (std::size_t i = 0; i < among; ++i) is |= list_[i].candidate.vertex == vertex;
+        return is;
     }
     void add(const ApexCandidate& candidate) {
-        list_.push_back({rank_of(candidate), static_cast<std::uint32_t>(list_.size()), candidate});
+        if (size_ == list_.size()) list_.resize(2 * size_ + 16);
+        list_[size_] = {rank_of(candidate), static_cast<std::uint32_t>(size_), candidate};
+        ++size_;
     }
     // The candidate of a vertex, which is changed before it is ranked; a new one where there is
     // none.
     template <class Change>
     void change(Id vertex, const Change& change) {
         std::size_t i = 0;
-        while (i < list_.size() && list_[i].candidate.vertex != vertex) ++i;
-        if (i == list_.size()) {
-            list_.push_back({0, static_cast<std::uint32_t>(i), {}});
-            list_[i].candidate.vertex = vertex;
-            list_[i].candidate.beyond_border = true;
+        while (i < size_ && list_[i].candidate.vertex != vertex) ++i;
+        if (i == size_) {
+            ApexCandidate candidate;
+            candidate.vertex = vertex;
+            candidate.beyond_border = true;
+            add(candidate);
         }
         change(list_[i].candidate);
         list_[i].rank = rank_of(list_[i].candidate);
     }
-    // Puts the first `count` in their places; of those that are in their places none moves.
-    void lift(std::size_t count) {
-        for (std::size_t place = 0; place < count && place < list_.size(); ++place) {
-            std::size_t least = place;
-            for (std::size_t i = place + 1; i < list_.size(); ++i)
-                least = list_[i] < list_[least] ? i : least;
-            std::swap(list_[place], list_[least]);
+    // Puts the first two in their places, while all stand as they came.
+    void lift_two() {
+        if (size_ < 2) return;
+        std::size_t first = 0, second = 1;
+        if (list_[1].rank < list_[0].rank) std::swap(first, second);
+        for (std::size_t i = 2; i < size_; ++i) {
+            const double rank = list_[i].rank;
+            const bool is_first = rank < list_[first].rank, is_second = rank < list_[second].rank;
+            second = is_first ? first : is_second ? i : second;
+            first = is_first ? i : first;
         }
+        std::swap(list_[0], list_[first]);
+        std::swap(list_[1], list_[second == 0 ? first : second]);
     }
     // Lets go all but the first kMost, and puts these in their places.
     void sort() {
-        lift(kMost);
-        if (list_.size() > kMost) list_.resize(kMost);
+        const std::size_t kept = std::min(size_, kMost);
+        std::partial_sort(list_.begin(), list_.begin() + static_cast<std::ptrdiff_t>(kept),
+                          list_.begin() + static_cast<std::ptrdiff_t>(size_));
+        size_ = kept;
     }
 
   private:
@@ -89,6 +99,7 @@ class ApexList {
     }
 
     std::vector<Ranked> list_;
+    std::size_t size_ = 0;
     double worth_ = 0;
 };
 

@@ -1,7 +1,8 @@
 // Finds the open triangles of a front by their vertices; no two have the same. Most that are asked
-// for are not there, which the vertices know nearly always; for the others there is a hash. Where
-// many crowd into one place of it, it grows, or becomes another hash: no choice of vertices fits
-// them all.
+// for are not there, which the vertices know nearly always. The others are in a short list of their
+// newest vertex, near by what the walk has just touched. Those of a vertex that many crowd around
+// are in a hash instead. Where many crowd into one place of it, it grows, or becomes another hash:
+// no choice of vertices fits them all.
 #pragma once
 
 #include <algorithm>
@@ -21,31 +22,37 @@ class OpenTriangles {
     template <class VerticesOf>
     void insert(Id triangle, const VerticesOf& vertices_of) {
         const Key key = key_of(vertices_of(triangle));
-        if (key[2] >= signs_.size()) signs_.resize(std::size_t{key[2]} + kMoreVertices);
-        for (const Id v : key) signs_[v] |= sign_of(key);
-        if (2 * (used_ + 1) > table_.size()) rehash(false, vertices_of);
-        while (!place(triangle, key)) rehash(true, vertices_of);
-        ++live_;
+        if (key[2] >= around_.size()) around_.resize(std::size_t{key[2]} + kMoreVertices);
+        for (const Id v : key) around_[v].signs |= sign_of(key);
+        List& list = around_[key[2]].newest_of;
+        if (list.count < kCrowd) {
+            push(list, triangle);
+            if (list.count < kCrowd) return;
+            for (Id t = list.first; t != kNone; t = links_[t].next)
+                insert_in_hash(t, key_of(vertices_of(t)), vertices_of);
+        } else {
+            insert_in_hash(triangle, key, vertices_of);
+        }
     }
     void erase(Id triangle, const Vertices& vertices) {
-        if (table_.empty()) return;
-        std::size_t i = home_of(hash_of(key_of(vertices)));
-        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
-            if (table_[i] == triangle) {
-                table_[i] = kErased;
-                --live_;
-                return;
-            }
+        const Key key = key_of(vertices);
+        if (key[2] >= around_.size()) return;
+        List& list = around_[key[2]].newest_of;
+        if (list.count < kCrowd)
+            pull(list, triangle);
+        else
+            erase_in_hash(triangle, key);
     }
     // The triangle with these vertices, or kNone.
     template <class VerticesOf>
     Id find(const Vertices& vertices, const VerticesOf& vertices_of) const {
         const Key key = key_of(vertices);
         if (!may_be_here(key)) return kNone;
-        std::size_t i = home_of(hash_of(key));
-        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
-            if (table_[i] != kErased && key_of(vertices_of(table_[i])) == key) return table_[i];
-        return kNone;
+        const List& list = around_[key[2]].newest_of;
+        if (list.count == kCrowd) return find_in_hash(key, vertices_of);
+        Id t = list.first;
+        while (t != kNone && key_of(vertices_of(t)) != key) t = links_[t].next;
+        return t;
     }
     // How many places the hash has, and how often it became another one.
     std::size_t places() const { return table_.size(); }
@@ -54,8 +61,23 @@ class OpenTriangles {
   private:
     using Key = Vertices;  // in order
     static constexpr Id kErased = kNone - 1;
+    static constexpr std::uint32_t kCrowd = 32;
     static constexpr int kMostProbes = 48;
     static constexpr std::size_t kMoreVertices = 1024;
+
+    // The open triangles of which a vertex is the newest. With kCrowd at once they move to the
+    // hash, and so do all that follow: the list stays as it was.
+    struct List {
+        Id first = kNone;
+        std::uint32_t count = 0;
+    };
+    struct Vertex {
+        std::uint64_t signs = 0;  // of all triangles with it that were in here
+        List newest_of;
+    };
+    struct Link {
+        Id next = kNone, prev = kErased;  // kErased: in no list
+    };
 
     static Key key_of(const Vertices& v) {
         const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
@@ -67,8 +89,48 @@ class OpenTriangles {
         return std::uint64_t{1} << (h >> 26);
     }
     bool may_be_here(const Key& v) const {
-        return v[2] < signs_.size() &&
-               (signs_[v[0]] & signs_[v[1]] & signs_[v[2]] & sign_of(v)) != 0;
+        return v[2] < around_.size() &&
+               (around_[v[0]].signs & around_[v[1]].signs & around_[v[2]].signs & sign_of(v)) != 0;
+    }
+
+    void push(List& list, Id triangle) {
+        if (triangle >= links_.size())
+            links_.resize(std::max<std::size_t>(triangle + std::size_t{1}, links_.size() * 3 / 2));
+        links_[triangle] = {list.first, kNone};
+        if (list.first != kNone) links_[list.first].prev = triangle;
+        list.first = triangle;
+        ++list.count;
+    }
+    void pull(List& list, Id triangle) {
+        if (triangle >= links_.size() || links_[triangle].prev == kErased) return;
+        const Link link = links_[triangle];
+        links_[triangle].prev = kErased;
+        if (link.next != kNone) links_[link.next].prev = link.prev;
+        (link.prev == kNone ? list.first : links_[link.prev].next) = link.next;
+        --list.count;
+    }
+
+    template <class VerticesOf>
+    void insert_in_hash(Id triangle, const Key& key, const VerticesOf& vertices_of) {
+        if (2 * (used_ + 1) > table_.size()) rehash(false, vertices_of);
+        while (!place(triangle, key)) rehash(true, vertices_of);
+        ++live_;
+    }
+    void erase_in_hash(Id triangle, const Key& key) {
+        std::size_t i = home_of(hash_of(key));
+        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
+            if (table_[i] == triangle) {
+                table_[i] = kErased;
+                --live_;
+                return;
+            }
+    }
+    template <class VerticesOf>
+    Id find_in_hash(const Key& key, const VerticesOf& vertices_of) const {
+        std::size_t i = home_of(hash_of(key));
+        for (int probe = 0; probe < kMostProbes && table_[i] != kNone; ++probe, i = next(i))
+            if (table_[i] != kErased && key_of(vertices_of(table_[i])) == key) return table_[i];
+        return kNone;
     }
     std::uint64_t hash_of(const Key& v) const {
         std::uint64_t h = (v[0] + (change_ << 32)) * 0x9E3779B97F4A7C15u;
@@ -107,10 +169,11 @@ class OpenTriangles {
         }
     }
 
-    std::vector<Id> table_;  // open addressing, linear probing
+    std::vector<Vertex> around_;
+    std::vector<Link> links_;  // per triangle
+    std::vector<Id> table_;    // the hash: open addressing, linear probing
     std::size_t used_ = 0, live_ = 0;
     std::uint64_t change_ = 0;
-    std::vector<std::uint64_t> signs_;  // per vertex: of all triangles with it that were in here
 };
 
 }  // namespace ravel

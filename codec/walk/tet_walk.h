@@ -213,7 +213,7 @@ class TetWalk {
         };
         std::uint32_t height = kNotAbove, times = 0;
         if (!list_.empty()) {
-            list_.lift(2);
+            list_.lift_two();
             const ApexCandidate& lowest = list_[0];
             height = height_class(lowest, family.unit());
             times = lowest.times;

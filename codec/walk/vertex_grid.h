@@ -53,29 +53,19 @@ class VertexGrid {
     // it meets too many blocks.
     template <class Visit>
     void around(const Point3& centre, double radius, const Visit& visit) const {
-        Steps low, high;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = step(centre[axis] - radius, axis);
-            high[axis] = step(centre[axis] + radius, axis);
-        }
-        const auto blocks = [&](std::size_t axis) {
-            return (high[axis] >> 2) - (low[axis] >> 2) + std::uint64_t{1};
-        };
-        if (blocks(0) * blocks(1) * blocks(2) > kMostBlocks) return;
-        for (std::size_t z = low[2] >> 2; z <= high[2] >> 2; ++z) {
-            const std::uint64_t in_z =
-                kCubes << 16 * first(low[2], z) & kCubes >> 16 * rest(high[2], z);
-            for (std::size_t y = low[1] >> 2; y <= high[1] >> 2; ++y) {
-                const std::uint64_t rows =
-                    kRows << 4 * first(low[1], y) & kRows >> 4 * rest(high[1], y) & kRows;
-                const std::uint64_t in_y = in_z & rows * 0x0001000100010001u;
-                const Block* row = blocks_.data() + z * layer_ + y * row_;
-                for (std::size_t x = low[0] >> 2; x <= high[0] >> 2; ++x) {
-                    const std::uint64_t steps =
-                        kSteps << first(low[0], x) & kSteps >> rest(high[0], x);
-                    std::uint64_t cubes = row[x].filled & in_y & steps * 0x1111111111111111u;
-                    for (; cubes != 0; cubes &= cubes - 1) {
-                        Id v = row[x].head[static_cast<std::size_t>(std::countr_zero(cubes))];
+        const Range x = range(centre, radius, 0), y = range(centre, radius, 1),
+                    z = range(centre, radius, 2);
+        if (x.blocks() * y.blocks() * z.blocks() > kMostBlocks) return;
+        for (std::size_t k = z.first; k <= z.last; ++k) {
+            const std::uint64_t in_z = z.of(k);
+            for (std::size_t j = y.first; j <= y.last; ++j) {
+                const std::uint64_t in_y = in_z & y.of(j);
+                const Block* row = blocks_.data() + k * layer_ + j * row_;
+                for (std::size_t i = x.first; i <= x.last; ++i) {
+                    const Block& block = row[i];
+                    for (std::uint64_t cubes = block.filled & in_y & x.of(i); cubes != 0;
+                         cubes &= cubes - 1) {
+                        Id v = block.head[static_cast<std::size_t>(std::countr_zero(cubes))];
                         do {
                             const Entry& entry = entries_[v];
                             if (!visit(v, entry.place)) return;
@@ -89,8 +79,31 @@ class VertexGrid {
 
   private:
     static constexpr std::uint64_t kMostBlocks = 512;
-    // All cubes of a block, those of a layer, and of a row.
-    static constexpr std::uint64_t kCubes = ~std::uint64_t{0}, kRows = 0xFFFF, kSteps = 0xF;
+    // The cubes of a block from its step i on (the last four), or up to it (the first four), along
+    // each axis.
+    using Masks = std::array<std::uint64_t, 8>;
+    static constexpr std::array<Masks, 3> kMasks = [] {
+        std::array<Masks, 3> masks{};
+        for (unsigned bit = 0; bit < 64; ++bit)
+            for (unsigned axis = 0; axis < 3; ++axis)
+                for (unsigned i = 0; i < 4; ++i) {
+                    const unsigned step = bit >> 2 * axis & 3;
+                    const std::uint64_t cube = std::uint64_t{1} << bit;
+                    if (step <= i) masks[axis][i] |= cube;
+                    if (step >= i) masks[axis][4 + i] |= cube;
+                }
+        return masks;
+    }();
+    // Blocks along an axis, and which of their cubes are within.
+    struct Range {
+        std::uint32_t first, last;
+        std::uint64_t from, up_to;
+        std::uint64_t blocks() const { return last - first + std::uint64_t{1}; }
+        std::uint64_t of(std::size_t block) const {
+            return (block == first ? from : ~std::uint64_t{0}) &
+                   (block == last ? up_to : ~std::uint64_t{0});
+        }
+    };
     struct Entry {
         Point3 place{};
         Id next = kNone, prev = kNone;
@@ -105,12 +118,11 @@ class VertexGrid {
         std::uint32_t bit;
     };
 
-    // The first step of a range within block b, and how many after the last.
-    static unsigned first(std::uint32_t low, std::size_t b) { return low >> 2 == b ? low & 3 : 0; }
-    static unsigned rest(std::uint32_t high, std::size_t b) {
-        return high >> 2 == b ? 3 - (high & 3) : 0;
+    Range range(const Point3& centre, double radius, std::size_t axis) const {
+        const std::uint32_t low = step(centre[axis] - radius, axis),
+                            high = step(centre[axis] + radius, axis);
+        return {low >> 2, high >> 2, kMasks[axis][4 + (low & 3)], kMasks[axis][high & 3]};
     }
-
     std::uint32_t step(double x, std::size_t axis) const {
         const double i = x * scale_;
         if (!(i > 0)) return 0;

@@ -86,7 +86,7 @@ TEST_CASE("a box of very many blocks is not looked at, and a visitor can end a l
 TEST_CASE("apexes come by height, folds a little lower, what is not above last") {
     ApexList list;
     list.clear(32);
-    const auto add = [&](Id vertex, double height, bool above, std::uint32_t times) {
+    const auto add = [&](Id vertex, double height, bool above, std::uint8_t times) {
         ApexCandidate candidate;
         candidate.vertex = vertex;
         candidate.height = height;
@@ -100,7 +100,7 @@ TEST_CASE("apexes come by height, folds a little lower, what is not above last")
     add(3, 7, true, 3);  // each fold counts as one lower
     add(4, 5, true, 0);  // as high as 2, which came before
     add(5, 0, false, 2);
-    list.lift(2);
+    list.lift_two();
     CHECK(list[0].vertex == 3);
     CHECK(list[1].vertex == 2);
     list.sort();
