@@ -53,10 +53,6 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
         sane = sane && format.level_bits <= kMostLevelBits &&
                (format.level_bits > 0 || !format.has_pairs);
     }
-    if (format.has_follows) {
-        format.lag = in.u8();
-        sane = sane && format.lag >= 1 && format.lag <= kMostLag;
-    }
     if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
     for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {

@@ -133,8 +133,8 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         !mesh.attributes.empty() || !mesh.companions.empty() || options.keep_order;
     // Positions take most of the time; what else there is in the file may be made meanwhile.
     const CodedPositions all = in_order(*plan, complex, record, unused, edges);
-    const auto write = [&](const PositionFormat& format) {
-        return packed(write_positions(all, format), options.level);
+    const auto write = [&](const ChosenFormat& chosen) {
+        return packed(write_positions(all, chosen), options.level);
     };
     std::future<SectionBytes> positions;
     if (has_more) {
@@ -142,8 +142,9 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
             return write(choose_format(all, options.fast, std::max(1, threads - 1)));
         });
     } else {
-        const PositionFormat format = choose_format(all, options.fast, threads);
-        positions = start(threads > 1, [&write, format] { return write(format); });
+        positions = start(
+            threads > 1,
+            [&write, chosen = choose_format(all, options.fast, threads)] { return write(chosen); });
     }
     const StripReading strip = read_strip(course.walked);
     block.links = strip.links;

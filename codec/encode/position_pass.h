@@ -9,8 +9,8 @@ namespace ravel {
 // The first `size`. `coded(i)`: is the i-th to be coded, or only to be known to those that are?
 template <class Coder, class Coded>
 void code_positions(Coder& coder, const CodedPositions& all, const PositionFormat& format,
-                    std::size_t size, const Coded& coded) {
-    PositionCodes<Coder> codes(coder, format, all.size());
+                    const std::vector<std::uint8_t>& leads, std::size_t size, const Coded& coded) {
+    PositionCodes<Coder> codes(coder, format, all.size(), &leads);
     codes.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
         const bool used = i < all.vertices();

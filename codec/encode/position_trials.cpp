@@ -6,7 +6,7 @@
 
 #include "encode/echoes.h"
 #include "encode/fit.h"
-#include "encode/lag.h"
+#include "encode/follow_plan.h"
 #include "encode/position_pass.h"
 #include "encode/threads.h"
 #include "entropy/priors.h"
@@ -101,14 +101,15 @@ bool has_triangles(const WalkRecord& record) {
 
 // About how many bytes that would make. Of large meshes one in a few stretches of vertices is
 // looked at, of very large ones only as far as kMost.
-double try_out(const CodedPositions& all, const PositionFormat& format) {
+double try_out(const CodedPositions& all, const PositionFormat& format,
+               const std::vector<std::uint8_t>& leads) {
     constexpr std::size_t kStretch = 256, kWhole = 8192, kEnough = 4096, kMost = 131072;
     const std::size_t size = std::min(all.size(), kMost);
     const std::size_t stride =
         all.size() <= kWhole ? 1 : std::clamp<std::size_t>(all.size() / kEnough, 3, 8);
     std::size_t count = 0;
     CountingCoder coder;
-    code_positions(coder, all, format, size, [&](std::size_t i) {
+    code_positions(coder, all, format, leads, size, [&](std::size_t i) {
         const bool coded = i / kStretch % stride == 0;
         count += coded;
         return coded;
@@ -140,8 +141,10 @@ struct Proposal {
 // meanwhile, as if this one went as usual; what comes of it is the same.
 class Trials {
   public:
-    Trials(const CodedPositions& all, PositionFormat start, int threads)
+    Trials(const CodedPositions& all, const std::vector<std::uint8_t>& leads, PositionFormat start,
+           int threads)
         : all_(all),
+          leads_(leads),
           kept_(std::move(start)),
           threads_(static_cast<std::size_t>(std::min(threads, kMostThreads))) {}
 
@@ -185,13 +188,14 @@ class Trials {
     void try_all(const std::vector<PositionFormat>& formats) {
         std::vector<std::future<double>> bytes;
         for (const PositionFormat& format : formats)
-            bytes.push_back(
-                start(threads_ > 1 && !bytes.empty(), [&, this] { return try_out(all_, format); }));
+            bytes.push_back(start(threads_ > 1 && !bytes.empty(),
+                                  [&, this] { return try_out(all_, format, leads_); }));
         for (std::size_t i = 0; i < formats.size(); ++i)
             tried_.push_back({formats[i], bytes[i].get()});
     }
 
     const CodedPositions& all_;
+    const std::vector<std::uint8_t>& leads_;
     PositionFormat kept_;
     const std::size_t threads_;
     std::vector<Tried> tried_;
@@ -199,7 +203,7 @@ class Trials {
 
 }  // namespace
 
-PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) {
+ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
     const WalkRecord& record = all.record;
     const std::size_t vertices = all.vertices();
     std::vector<Point3> places(vertices), firm;  // firm: no copies, none escaped
@@ -225,18 +229,19 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
     if (fast) {
         first.has_levels = is_lattice(record);
         first.level_bits = first.cube_bits;
-        return first;
+        return {first, {}};
     }
 
     const Echoes echoes = finding_echoes.get();
     const bool may_follow =
         std::count_if(record.stencils.begin(), record.stencils.end(),
                       [](const Stencil& s) { return s.configuration == Configuration::seed; }) > 4;
-    auto finding_lag = start(threads > 1 && may_follow,
-                             [&] { return may_follow ? best_lag(record, places, first) : 1; });
+    auto planning_follows = start(threads > 1 && may_follow, [&] {
+        return may_follow ? plan_follows(record, places, first) : std::vector<std::uint8_t>{};
+    });
     const bool may_share = vertices < kSmall || has_level_faces(record, places);
     const Weights along_weights = may_go_along ? weights(true) : first.weights;
-    const int lag = finding_lag.get();
+    std::vector<std::uint8_t> leads = planning_follows.get();
     double echo_ratio = 1, level_ratio = 1;
 
     // `when`: is there anything to try? `change`: what is other than in the format kept so far.
@@ -276,7 +281,7 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
         [](PositionFormat& f) { ++f.level_bits; });
     // Pairs may be known where single levels tell nothing.
     Proposal& pairs = offer(
-        kRefused,
+        kTaken,
         [&](const PositionFormat& f) {
             return level_ratio < kHopeless && (f.level_bits > 0 || vertices < kLarge);
         },
@@ -298,24 +303,17 @@ PositionFormat choose_format(const CodedPositions& all, bool fast, int threads) 
             f.has_along = true;
             f.weights = along_weights;
         });
-    if (may_follow) {
-        offer(kTaken, always, [lag](PositionFormat& f) {
-            f.has_follows = true;
-            f.lag = lag;
-        });
-        if (lag > 1)
-            offer(
-                kRefused, [](const PositionFormat& f) { return f.has_follows; },
-                [](PositionFormat& f) { f.lag = 1; })
-                .worth = 0;
-    }
+    // Who follows asks for neither echoes nor levels, so that costs less time than others.
+    if (may_follow)
+        offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; }).worth = kWorth / 4;
     // Where parts repeat, a guess from fewer points is carried over with fewer roundings.
     if (has_triangles(record))
         offer(
             kRefused, [](const PositionFormat& f) { return f.has_follows || !f.echoes.empty(); },
             [](PositionFormat& f) { f.weights = without_triangles(f.weights); })
             .worth = 0;
-    return Trials(all, first, threads).run(proposals);
+    PositionFormat format = Trials(all, leads, first, threads).run(proposals);
+    return {std::move(format), std::move(leads)};
 }
 
 }  // namespace ravel

@@ -71,7 +71,6 @@ Bytes position_head_of(const PositionFormat& format) {
     }
     if (format.has_levels)
         out.u8(static_cast<std::uint8_t>(format.level_bits | (format.has_pairs ? 128 : 0)));
-    if (format.has_follows) out.u8(static_cast<std::uint8_t>(format.lag));
     for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
@@ -82,12 +81,13 @@ Bytes position_head_of(const PositionFormat& format) {
     return out.take();
 }
 
-Bytes write_positions(const CodedPositions& all, const PositionFormat& format) {
+Bytes write_positions(const CodedPositions& all, const ChosenFormat& chosen) {
     ByteWriter out;
-    out.raw(position_head_of(format));
+    out.raw(position_head_of(chosen.format));
     FlagEncoder bits;
     WritingCoder coder{bits};
-    code_positions(coder, all, format, all.size(), [](std::size_t) { return true; });
+    code_positions(coder, all, chosen.format, chosen.leads, all.size(),
+                   [](std::size_t) { return true; });
     out.raw(bits.finish());
     return out.take();
 }

@@ -40,13 +40,19 @@ struct CodedPositions {
 CodedPositions in_order(const PositionPlan& plan, const Complex& complex, const WalkRecord& record,
                         const std::vector<Index>& unused, const EdgePoints& edges);
 
+// How positions are coded, and for followers which vertex leads (see plan_follows).
+struct ChosenFormat {
+    PositionFormat format;
+    std::vector<std::uint8_t> leads;
+};
+
 // From `plan.format`, the format that makes the fewest bytes, but for what costs more time than it
 // is worth. `fast`: nothing is tried out. `threads`: how many trials may run at a time; the choice
 // is the same.
-PositionFormat choose_format(const CodedPositions& all, bool fast, int threads);
+ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads);
 
 // The head of the section, and all of it.
 Bytes position_head_of(const PositionFormat& format);
-Bytes write_positions(const CodedPositions& all, const PositionFormat& format);
+Bytes write_positions(const CodedPositions& all, const ChosenFormat& chosen);
 
 }  // namespace ravel

@@ -64,7 +64,6 @@ class EchoCodes {
 
     // Does it stand where the earlier one stands?
     bool stays(const Earlier& found) const { return format_.echoes[found.echo] == Echo{}; }
-    bool moves_only(const Earlier& found) const { return format_.echoes[found.echo].moves_only(); }
 
   private:
     // Vertices without an echo until the echoes are looked at in turn, and every second time only.

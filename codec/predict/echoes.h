@@ -16,7 +16,6 @@ struct Echo {
 
     bool operator==(const Echo&) const = default;
 
-    bool moves_only() const { return !mirrored[0] && !mirrored[1] && !mirrored[2]; }
     Point3 back(const Point3& p) const {
         Point3 out;
         for (std::size_t k = 0; k < 3; ++k) {

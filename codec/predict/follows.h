@@ -1,8 +1,8 @@
 // Parts that repeat. Where the walk has gone since its last seed exactly as it went after an
-// earlier seed, a vertex follows the one at the same place of that course, its leader: its stencil
-// is the leader's, so many vertices later. The leader is not always the last: left and right leaves
-// take turns, and so do the arms of a lamp. What the leader's guess missed is carried over, turned
-// as the stencil has turned; so parts may be moved, turned and stretched.
+// earlier seed, a vertex may follow the one at the same place of that course, its leader: its
+// stencil is the leader's, so many vertices later. Which of several such parts leads is told once
+// (see lead_codes.h). What the leader's guess missed is carried over, turned as the stencil has
+// turned; so parts may be moved, turned and stretched.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace ravel {
 
 // Is there a vertex so much earlier for each of the stencil's?
 inline bool can_shift(const Stencil& stencil, Id by) {
-    bool can = true;
-    for (const Id v : stencil.at) can = can && (v == kNone || v >= by);
-    return can;
+    Id least = kNone;  // which is above all others
+    for (const Id v : stencil.at) least = std::min(least, v);
+    return least >= by;
 }
 
 // The stencil `by` vertices earlier.
@@ -32,24 +32,20 @@ inline Stencil shifted(const Stencil& stencil, Id by) {
     return out;
 }
 
-inline constexpr int kMostLag = 16;
-
-// The courses of all seeds so far, as hashes, and the vertices that had each, last first. The
-// `lag`-th of these leads.
+// The courses of all seeds so far, as hashes; the vertices that had each, last first; and how much
+// earlier the part is that leads the one at hand.
 class Courses {
   public:
-    Courses(std::size_t vertices, int lag)
-        : lag_(lag),
-          last_(std::bit_ceil(std::clamp(vertices, std::size_t{16}, std::size_t{1} << 24)), kNone) {
+    explicit Courses(std::size_t vertices)
+        : last_(std::bit_ceil(std::clamp(vertices, kFewest, std::size_t{1} << 24)), kNone) {
         hash_.reserve(vertices);
         before_.reserve(vertices);
     }
 
-    // The leader of vertex v, or none. Once per vertex that is coded. `prior`: what the vertex
-    // before was a copy of, or none; the next one is preferred.
-    Id next(const Stencil& stencil, Id v, Id prior) {
+    // The course of vertex v. Once per vertex that is coded, or known to both sides.
+    void enter(const Stencil& stencil, Id v) {
         const bool seed = stencil.configuration == Configuration::seed;
-        if (seed && !in_seed_) course_ = 1, begin_ = v;
+        if (seed && !in_seed_) course_ = 1, begin_ = v, is_led_ = false;
         in_seed_ = seed;
         course_ = course_ * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(stencil.configuration);
         // Vertices of before the seed are no part of the course. The same as a product and a sum
@@ -63,18 +59,32 @@ class Courses {
         course_ = course_ * kPowers[kStencilSize] + ways;
         course_ ^= course_ >> 29;
         fresh_ = true;
-        Id leader = last_[slot()];
-        for (int i = 1; i < lag_ && before(leader) != kNone; ++i) leader = before(leader);
-        if (prior != kNone && prior + 1 < v && hash_[prior + 1] == course_) leader = prior + 1;
-        if (leader == kNone || hash_[leader] != course_) return kNone;
-        return can_shift(stencil, v - leader) ? leader : kNone;
     }
-    // The vertex in the slot before `leader`, if both have the course at hand; or none.
-    Id before(Id leader) const {
-        if (leader == kNone || hash_[leader] != course_) return kNone;
-        const Id other = before_[leader];
-        return other != kNone && hash_[other] == course_ ? other : kNone;
+    bool in_seed() const { return in_seed_; }
+    std::uint64_t course() const { return course_; }
+
+    // May u lead v, the vertex at hand? None may not.
+    bool can_lead(Id u, const Stencil& stencil, Id v) const {
+        return u < v && hash_[u] == course_ && can_shift(stencil, v - u);
     }
+    // The vertices that had the course at hand, last first; of those that share a slot none may be
+    // between them.
+    Id last() const { return with_course(last_[slot()]); }
+    Id before(Id u) const { return with_course(before_[u]); }
+
+    // The vertex of the part that led so far, if it may lead on; or none.
+    Id going_on(const Stencil& stencil, Id v) const {
+        const Id u = by_ != 0 && by_ <= v ? v - by_ : kNone;
+        return can_lead(u, stencil, v) ? u : kNone;
+    }
+    // Has the part at hand been told its leader?
+    bool is_led() const { return is_led_; }
+    void lead(Id u, Id v) {
+        by_ = v - u;
+        is_led_ = true;
+    }
+
+    // After each vertex.
     void insert(Id v) {
         hash_.push_back(fresh_ ? course_ : 0);
         before_.push_back(fresh_ ? last_[slot()] : kNone);
@@ -83,6 +93,7 @@ class Courses {
     }
 
   private:
+    static constexpr std::size_t kFewest = 256;  // slots
     static constexpr auto kPowers = [] {
         std::array<std::uint64_t, kStencilSize + 1> powers{1};
         for (std::size_t i = 0; i < kStencilSize; ++i)
@@ -93,13 +104,13 @@ class Courses {
     std::size_t slot() const {
         return static_cast<std::size_t>(course_ >> 32) & (last_.size() - 1);
     }
+    Id with_course(Id u) const { return u != kNone && hash_[u] == course_ ? u : kNone; }
 
-    int lag_;
     std::vector<Id> last_, before_;  // per slot; per vertex, that was last in its slot before
     std::vector<std::uint64_t> hash_;
     std::uint64_t course_ = 1;
-    Id begin_ = 0;
-    bool in_seed_ = false, fresh_ = false;
+    Id begin_ = 0, by_ = 0;
+    bool in_seed_ = false, fresh_ = false, is_led_ = false;
 };
 
 // guess + `missed`, turned and stretched from the frame of the stencil `from` to that of `to`.

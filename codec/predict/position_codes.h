@@ -13,8 +13,10 @@
 #include "mesh/point3.h"
 #include "predict/border_plane.h"
 #include "predict/echo_codes.h"
+#include "predict/follow_sizes.h"
 #include "predict/follows.h"
 #include "predict/grid.h"
+#include "predict/lead_codes.h"
 #include "predict/level_codes.h"
 #include "predict/numbers.h"
 #include "predict/position_format.h"
@@ -27,8 +29,9 @@ namespace ravel {
 template <class Coder>
 class PositionCodes {
   public:
-    // `vertices`: about how many there will be, unused points among them.
-    PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
+    // `vertices`: about how many there will be, unused points among them. `leads`: see LeadCodes.
+    PositionCodes(Coder& coder, const PositionFormat& format, std::size_t vertices,
+                  const std::vector<std::uint8_t>* leads = nullptr)
         : coder_(coder),
           format_(format),
           most_(format.most()),
@@ -39,10 +42,12 @@ class PositionCodes {
                 !format.has_escapes ? 0
                 : format.narrow     ? 32
                                     : 64) {
+        tells_whole_ =
+            format_.numbers.digits == 0 && !format_.numbers.has_minus_zero && !format_.has_escapes;
         if (!format_.echoes.empty()) echoes_.emplace(coder, format_, vertices);
-        if (format_.has_follows) courses_.emplace(vertices, format_.lag);
+        if (format_.has_follows) leads_.emplace(coder, vertices, leads);
         is_plain_ = format_.grid() && !format_.has_escapes && !format_.has_levels &&
-                    !format_.has_along && !courses_ && !echoes_;
+                    !format_.has_along && !leads_ && !echoes_;
     }
 
     void reserve(std::size_t vertices) {
@@ -61,24 +66,23 @@ class PositionCodes {
         // The middle of an edge tells more than an echo.
         const bool edge = stencil.configuration == Configuration::edge;
         Earlier found;
-        bool told = false;         // by the vertex found
-        bool stays = true;         // is it where that one is?
-        std::uint32_t family = 0;  // of contexts
-        prior_ = courses_ && !edge ? courses_->next(stencil, next_vertex(), prior_) : kNone;
-        if (prior_ != kNone) {
-            found = find_follow(stencil, prior_, g);
-            told = code_followed(found, truth, whole);
-            family = 3;
-            if (!told) prior_ = kNone;
+        bool told = false;     // by the vertex found
+        bool stays = true;     // is it where that one is?
+        bool follows = false;  // by the leader
+        bool sane = true;
+        Id leader = kNone;
+        if (leads_ && !edge) sane = leads_->next(stencil, next_vertex(), values_, false, leader);
+        if (leader != kNone) {
+            follow_sizes_.begin(stencil);
+            found = find_follow(stencil, leader, g);
+            told = follows = code_followed(found, truth, whole);
         }
         if (echoes_ && !told && !edge) {
             found = echoes_->find(g, values_, exact_);
-            family = 0;
             if (found.vertex != kNone)
                 told = echoes_->is_told(found, Coder::kWrites && is_better(found, truth, whole, 2));
             echoes_->looked(told);
             stays = echoes_->stays(found);
-            if (told && echoes_->moves_only(found)) prior_ = found.vertex;
         }
         const bool along = format_.has_along && !told && code_along(stencil, truth);
         const Stencil& guessed = along ? border_ : stencil;
@@ -87,10 +91,9 @@ class PositionCodes {
         const bool levels = format_.has_levels && !edge;
         if (levels) levels_.begin(guessed);
         const bool may_be_same = told && (found.copies || format_.numbers.digits == 0);
-        const bool all_same = may_be_same && code_all_same(found, truth, family);
+        const bool all_same = may_be_same && code_all_same(found, truth, follows);
         std::uint32_t sames = 0;  // a bit for each axis that is the same
         Point3 value{}, exact{};
-        bool sane = true;
         for (std::size_t step = 0; step < 3 && sane; ++step) {
             const std::size_t axis = along ? plane_.axes()[step] : step;
             const bool carried = along && step == 2;
@@ -105,14 +108,19 @@ class PositionCodes {
             if (told) {
                 // The last one is not if the others are, as not all of them are.
                 same =
-                    all_same || (may_be_same && sames != 3 && code_same(found, number, a, family));
+                    all_same || (may_be_same && sames != 3 && code_same(found, number, a, follows));
                 sames |= (same ? 1u : 0u) << axis;
                 if (same) {
                     value[axis] = found.value[axis];
                     if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    code_whole({kEchoScale + family + a, 2}, found.whole[axis], number.whole);
+                    const Scale scale =
+                        follows ? follow_sizes_.scale(axis) : Scale{kEchoScale + a, 2};
+                    const std::int64_t r =
+                        code_whole(scale, found.whole[axis], number.whole, NoSignQuestion{},
+                                   may_be_same && tells_whole_);
+                    if (follows) follow_sizes_.coded(r);
                 }
             } else {
                 if (levels)
@@ -148,6 +156,8 @@ class PositionCodes {
                     axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
         }
         sizes_.push();
+        if (follows) follow_sizes_.end();
+        if (leads_ && !edge && leads_->in_seed()) leads_->missed(next_vertex(), minus(value, g));
         add(value, exact, stays && found.copies && all_same);
         return sane;
     }
@@ -176,17 +186,19 @@ class PositionCodes {
     void skip(const Stencil& stencil, const Position& truth) {
         sizes_.begin(stencil);
         sizes_.push_half();
-        // As if it followed: what comes next may go on with the same part.
-        const bool has_course = courses_ && stencil.configuration != Configuration::edge;
-        prior_ = has_course ? courses_->next(stencil, next_vertex(), prior_) : kNone;
+        const bool may_follow = leads_ && stencil.configuration != Configuration::edge;
+        Id leader = kNone;
+        if (may_follow) leads_->next(stencil, next_vertex(), values_, true, leader);
         Point3 value{}, exact{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Scaled s = scaled_of(format_.numbers, truth[axis]);
             value[axis] = s.units;
             exact[axis] = s.exact;
         }
-        const bool stays = prior_ != kNone && values_[prior_] == value &&
-                           (!keeps_exact_ || exact_[prior_] == exact);
+        if (may_follow && leads_->in_seed())
+            leads_->missed(next_vertex(), minus(value, guess_at(stencil)));
+        const bool stays = leader != kNone && values_[leader] == value &&
+                           (!keeps_exact_ || exact_[leader] == exact);
         add(value, exact, stays);
     }
 
@@ -222,7 +234,7 @@ class PositionCodes {
         if (echoes_ && stays) echoes_->skip();
         if (echoes_ && !stays) echoes_->insert(value);
         if (!stays) levels_.insert(value, v);
-        if (courses_) courses_->insert(v);
+        if (leads_) leads_->insert(v);
     }
 
     Point3 guess_at(const Stencil& stencil) {
@@ -310,27 +322,30 @@ class PositionCodes {
                        const std::array<std::int64_t, 3>& whole) {
         bool better = false;
         if constexpr (Coder::kWrites) better = is_better(found, truth, whole, 1);
-        better = coder_.flag(ResidualContexts::follow.at(followed_, found.copies), better);
+        better = coder_.flag(
+            ResidualContexts::follow.at(followed_, found.copies, follow_sizes_.far()), better);
         followed_ = (followed_ << 1 | (better ? 1u : 0u)) & 7;
         return better;
     }
     // Is the vertex where what was found says, to the last bit? Then coordinate by coordinate.
-    bool code_all_same(const Earlier& found, const Position& truth, std::uint32_t family) {
+    bool code_all_same(const Earlier& found, const Position& truth, bool follows) {
         bool same = Coder::kWrites;
         for (std::size_t axis = 0; axis < 3 && same; ++axis)
             same = is(truth[axis], found.value[axis], found.exact[axis]);
-        std::uint32_t& history = family == 0 ? all_same_ : follow_all_same_;
-        same = coder_.flag(ResidualContexts::all_same.at(family, history, found.copies), same);
+        std::uint32_t& history = follows ? follow_all_same_ : all_same_;
+        const std::uint32_t far = follows ? follow_sizes_.far() : 0;
+        same =
+            coder_.flag(ResidualContexts::all_same.at(follows, history, found.copies, far), same);
         history = (history << 1 | (same ? 1u : 0u)) & 7;
         return same;
     }
-    bool code_same(const Earlier& found, const Number& truth, std::uint32_t axis,
-                   std::uint32_t family) {
-        std::uint32_t& history = family == 0 ? same_ : follow_same_;
-        const auto& block = family == 0 ? ResidualContexts::same : ResidualContexts::follow_same;
+    bool code_same(const Earlier& found, const Number& truth, std::uint32_t axis, bool follows) {
+        using C = ResidualContexts;
+        std::uint32_t& history = follows ? follow_same_ : same_;
+        const Context context = follows ? C::follow_same.at(follow_sizes_.far(), axis, history)
+                                        : C::same.at(axis, history);
         const bool same =
-            coder_.flag(block.at(axis, history),
-                        Coder::kWrites && is(truth, found.value[axis], found.exact[axis]));
+            coder_.flag(context, Coder::kWrites && is(truth, found.value[axis], found.exact[axis]));
         history = (history << 1 | (same ? 1u : 0u)) & 3;
         return same;
     }
@@ -351,8 +366,8 @@ class PositionCodes {
     // Returns by how much the guess was off.
     template <class Sign = NoSignQuestion>
     std::int64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole,
-                            const Sign& sign = {}) {
-        const std::int64_t r = code_residual(coder_, scale, whole - guess, sign);
+                            const Sign& sign = {}, bool differs = false) {
+        const std::int64_t r = code_residual(coder_, scale, whole - guess, sign, differs);
         // A file may hold any residual: the sum wraps.
         whole = static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
                                           static_cast<std::uint64_t>(r));
@@ -364,6 +379,7 @@ class PositionCodes {
     const std::int64_t most_;
     const bool keeps_exact_;
     bool is_plain_ = false;
+    bool tells_whole_ = false;  // is a coordinate another only if its whole part is?
     Predictor predictor_;
     ResidualSizes sizes_;
     LevelCodes<Coder> levels_;
@@ -371,10 +387,10 @@ class PositionCodes {
     std::vector<Point3> values_, exact_;
     std::vector<Escape> escapes_;
     std::optional<EchoCodes<Coder>> echoes_;
-    std::optional<Courses> courses_;
+    std::optional<LeadCodes<Coder>> leads_;
+    FollowSizes follow_sizes_;
     std::uint32_t same_ = 0, all_same_ = 0, followed_ = 0, follow_same_ = 0,
                   follow_all_same_ = 0;  // the last answers
-    Id prior_ = kNone;
     Stencil border_;  // of the vertex that goes on with a border, and the plane of that
     BorderPlane plane_;
 };

@@ -31,7 +31,6 @@ struct PositionFormat {
     bool has_pairs = false;    // and those that go with the coordinate before; needs level_bits
     bool has_along = false;    // tets: new vertices may go on with the border
     bool has_follows = false;  // parts repeat: see follows.h
-    int lag = 1;               // which of the last ones leads; at most kMostLag
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
     // Lossless tets: integers that stand for the numbers where the walk asks for places.

@@ -20,13 +20,14 @@ namespace ravel {
 // upwards, or downwards, how many it has. The bit below the highest has a context, the rest are as
 // they are. So is the sign, but where something is known of it (SignQuestion).
 inline constexpr std::uint32_t kScales = 96;          // half octaves of the expected |r|
-inline constexpr std::uint32_t kEchoScale = kScales;  // per axis; then those of followers
+inline constexpr std::uint32_t kEchoScale = kScales;  // per axis
 inline constexpr std::uint32_t kUpSteps = 21, kDownSteps = 10;
 inline constexpr std::uint32_t kSizeNodes = 2 + kUpSteps + kDownSteps;
 
 // Guesses of one kind err alike. They are told apart by kind where less than 2^28 is expected.
 // Those of seeds, and whatever is no guess of a position, are of kind 0.
-inline constexpr std::uint32_t kSizeKinds = 5, kKindScales = 64;
+inline constexpr std::uint32_t kSizeKinds = 6, kKindScales = 64;
+inline constexpr std::uint32_t kFollowedKind = 5;  // what leaders say
 inline constexpr std::uint32_t size_kind(Configuration configuration) {
     switch (configuration) {
         case Configuration::seed:
@@ -46,7 +47,7 @@ inline constexpr std::uint32_t size_kind(Configuration configuration) {
 }
 
 struct ResidualContexts {
-    static constexpr ContextBlock size{0, kScales + 6, kSizeNodes};
+    static constexpr ContextBlock size{0, kScales + 3, kSizeNodes};
     static constexpr ContextBlock second{size.end(), 16, 16};  // size against expected, size
     static constexpr ContextBlock escape{second.end(), 3, 2};  // axis, was the one before
     static constexpr ContextBlock escape_same{escape.end(), 3};
@@ -57,15 +58,18 @@ struct ResidualContexts {
     static constexpr ContextBlock leading{whole_zero.end(), kMostLeading};
     static constexpr ContextBlock rest_zero{leading.end(), 64};
     static constexpr ContextBlock level{rest_zero.end(), 9, 12, 4, 2};
-    static constexpr ContextBlock follow{level.end(), 8, 2};
-    static constexpr ContextBlock follow_same{follow.end(), 3, 4};
+    static constexpr ContextBlock follow{level.end(), 8, 2, 4};
+    static constexpr ContextBlock follow_same{follow.end(), 4, 3, 4};
     static constexpr ContextBlock along{follow_same.end(), 3, 16};
     static constexpr ContextBlock known{along.end(), 10, 4, 8, 2};
     static constexpr ContextBlock pair{known.end(), 10, 4, 8, 2};
-    static constexpr ContextBlock all_same{pair.end(), 2, 8, 2};  // follows, history, copies
-    static constexpr ContextBlock sign{all_same.end(), 4, 2, 7};  // part; size; signs around
-    static constexpr ContextBlock sign_of_large{sign.end(), 4};   // signs around
-    static constexpr ContextBlock size_by{sign_of_large.end(), kSizeKinds - 1, kKindScales,
+    static constexpr ContextBlock all_same{pair.end(), 2, 8, 2,
+                                           4};                      // follows, history, copies, far
+    static constexpr ContextBlock sign{all_same.end(), 4, 2, 7};    // part; size; signs around
+    static constexpr ContextBlock sign_of_large{sign.end(), 4};     // signs around
+    static constexpr ContextBlock lead{sign_of_large.end(), 2, 8};  // goes on; the last answers
+    static constexpr ContextBlock lead_place{lead.end(), 16};
+    static constexpr ContextBlock size_by{lead_place.end(), kSizeKinds - 1, kKindScales,
                                           kSizeNodes};
     static constexpr Context count = size_by.end();
 };
@@ -261,15 +265,15 @@ class ResidualSizes {
 
 // Codes r through `coder` (the encoder's writes it, the decoder's returns what it reads):
 //     bool flag(Context, bool truth)      uint64 plain(uint64 truth, int count)
-// `sign(size)`: the question to ask about the sign.
+// `sign(size)`: the question to ask about the sign. `differs`: r is known not to be 0.
 template <class Coder, class Sign = NoSignQuestion>
-std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r,
-                           const Sign& sign = {}) {
+std::int64_t code_residual(Coder& coder, const Scale& scale, std::int64_t r, const Sign& sign = {},
+                           bool differs = false) {
     using C = ResidualContexts;
     const std::uint64_t m = magnitude(r);
     const auto truth = static_cast<std::uint32_t>(std::bit_width(m));
     const Context nodes = scale.nodes();
-    if (coder.flag(nodes, truth == 0)) return 0;
+    if (!differs && coder.flag(nodes, truth == 0)) return 0;
     std::uint32_t size = scale.bits;
     if (coder.flag(nodes + 1, truth >= size)) {
         for (std::uint32_t step = 0; size < 64; ++size, ++step)

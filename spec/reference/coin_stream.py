@@ -92,9 +92,18 @@ class CoinStream(Models):
         self.note_bits(below(s, value))
         return value
 
-    def residual(self, context, bits, kind=0, sign=None):
+    def leaf_below(self, block, depth, n, why):
+        leaf = random.randrange(min(n, 2**depth))
+        node = 1
+        for i in reversed(range(depth)):
+            answer = leaf >> i & 1
+            self.note_flag(block, (node,), answer)
+            node = 2 * node + answer
+        return leaf
+
+    def residual(self, context, bits, kind=0, sign=None, differs=False):
         if self.wanted is None:
-            return super().residual(context, bits, kind, sign)
+            return super().residual(context, bits, kind, sign, differs)
         r, self.wanted = self.wanted, None
         m = abs(r)
         size = self.blocks["size"]

@@ -154,10 +154,6 @@ def make_positions_head(head):
         p.level_bits = random.choice((0, 0, 1, 2, 4, 7, 12, 54))
         p.has_pairs = p.level_bits > 0 and coin(0.6)
         out += bytes([p.level_bits | p.has_pairs << 7])
-    p.lag = 1
-    if p.has_follows:
-        p.lag = random.choice((1, 1, 2, 3, 16))
-        out += bytes([p.lag])
     p.weights = []
     for c, count in enumerate(guesses.WEIGHT_COUNT):
         p.weights.append(guesses.default_weights(c, bool(fitted >> 17)))

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, corrupt, require
 
-VERSION = 12
+VERSION = 13
 
 HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
 

@@ -124,7 +124,7 @@ class Echoes:
         return (found, e) if echoed else None
 
     def stays(self, e):
-        """8.4 step 8: whether echo e tells of the very place."""
+        """8.4 step 7: whether echo e tells of the very place."""
         mirrored, offset = self.echoes[e]
         return mirrored == 0 and not any(offset)
 

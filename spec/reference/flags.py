@@ -161,9 +161,9 @@ class Models:
             return self.flag(self.blocks["size"], context, n)
         return self.flag(self.blocks["size_by"], kind - 1, context, n)
 
-    def residual(self, context, bits, kind=0, sign=None):
-        """8.6; `sign` tells of the binary digits whether it is negative, None: a plain bit does."""
-        if self.node(kind, context, 0):
+    def residual(self, context, bits, kind=0, sign=None, differs=False):
+        """8.6; `sign` tells of the binary digits whether it is negative, None: a plain bit does; `differs`: from 0."""
+        if not differs and self.node(kind, context, 0):
             return 0
         s = bits
         step = 0
@@ -248,6 +248,14 @@ class Stream(Models):
         value = self.plain(width(n - 1))
         require(value < n, why)
         return value
+
+    def leaf_below(self, block, depth, n, why):
+        """8.5.2: the leaf that so many flags lead to in a tree; `corrupt` unless it is below n."""
+        node = 1
+        for _ in range(depth):
+            node = 2 * node + self.flag(block, node)
+        require(node - 2**depth < n, why)
+        return node - 2**depth
 
     def end(self):
         """4.4"""

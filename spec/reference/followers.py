@@ -3,19 +3,17 @@
 import math
 
 from conventions import MASK64, NONE, clamp, cross, dot, minus, plus
-from echoes import slots
 from guesses import NUMBER
+from leads import Leads
 
 
 class Followers:
     def __init__(self, block, positions):
         self.positions = positions
-        self.H = slots(block)
         self.course = 1
         self.begin = 0
         self.course_of = []
-        self.last_in = {}
-        self.before = {}  # the vertex that was last in its slot before
+        self.leads = Leads(block, positions, self.course_of)
         self.before_was_seed = False
         self.history = 0
 
@@ -30,6 +28,7 @@ class Followers:
         if seed and not self.before_was_seed:
             self.course = 1
             self.begin = v
+            self.leads.begin_part()
         self.before_was_seed = seed
         # 2
         course = self.course * 0x9E3779B97F4A7C15 + NUMBER[configuration]
@@ -39,30 +38,18 @@ class Followers:
         self.course = course ^ course >> 29
         self.course_of.append(self.course)
 
-    def leader(self, v, stencil, prior):
-        """3: the leader of v, or NONE."""
-        leader = self.last_in.get((self.course >> 32) % self.H, NONE)
-        for _ in range(self.positions.head.lag - 1):
-            other = self.before.get(leader, NONE)
-            if other == NONE or self.course_of[leader] != self.course or self.course_of[other] != self.course:
-                break
-            leader = other
-        if prior != NONE and prior + 1 < v and self.course_of[prior + 1] == self.course:
-            leader = prior + 1
-        if leader == NONE or self.course_of[leader] != self.course:
-            return NONE
-        if any(p != NONE and p < v - leader for p in stencil):
-            return NONE
-        return leader
+    def leader(self, v, configuration, stencil):
+        """3 to 5: the leader of v, or NONE."""
+        return self.leads.leader(v, configuration, stencil)
 
-    def enter(self, v):
-        """3: after v has its values."""
-        slot = (self.course >> 32) % self.H
-        self.before[v] = self.last_in.get(slot, NONE)
-        self.last_in[slot] = v
+    def enter(self, v, configuration, guess):
+        """4, 5: after v has its values."""
+        if configuration == "seed":
+            self.leads.learn(v, guess)
+        self.leads.enter(v)
 
     def says(self, v, leader, configuration, stencil, variant, guess):
-        """4: whether v repeats; whole parts, values and coordinates."""
+        """6: whether v repeats; whole parts, values and coordinates."""
         positions = self.positions
         value = positions.value
         M = float(positions.M)
@@ -113,8 +100,8 @@ class Followers:
             return turned
         return q
 
-    def read(self, repeats):
-        """5"""
-        follows = self.positions.flag("follow", self.history, repeats)
+    def read(self, repeats, far):
+        """7"""
+        follows = self.positions.flag("follow", self.history, repeats, far)
         self.history = (self.history * 2 + follows) % 8
         return follows

@@ -83,7 +83,7 @@ class Levels:
         self.history = [0, 0, 0]
 
     def enter(self, v, stays):
-        """A vertex that has its values; `stays`: a copy, or one that stays (8.4 step 8)."""
+        """A vertex that has its values; `stays`: a copy, or one that stays (8.4 step 7)."""
         value = self.positions.value[v]
         if self.pairs and not stays:
             self.pairs.enter(v, value)

@@ -12,7 +12,7 @@ from followers import Followers
 from guesses import NUMBER
 from levels import Levels
 from signs import Signs, sign_of
-from sizes import MOST32, Sizes, scale_of
+from sizes import MOST32, FollowerSizes, Sizes, scale_of
 
 GRID, DECIMAL, BINARY = range(3)
 
@@ -59,10 +59,6 @@ def read_positions_head(data, head):
         p.has_pairs = bool(levels & 128)
         require(p.level_bits <= 54, "level_bits")
         require(p.level_bits > 0 or not p.has_pairs, "has_pairs without level_bits")
-    p.lag = 1
-    if p.has_follows:
-        p.lag = bytes.u8()
-        require(1 <= p.lag <= 16, "lag")
     p.weights = []
     for c, count in enumerate(guesses.WEIGHT_COUNT):
         if fitted >> c & 1:
@@ -103,9 +99,11 @@ class Positions:
         self.signs = Signs(stream)
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
+        self.follower_sizes = FollowerSizes(stream)
         self.along = Along(self) if p.has_along else None
         self.levels = Levels(block, p, self) if p.has_levels else None
-        self.prior = NONE
+        # of what follows or is echoed and of which an axis is not the same
+        self.differs = p.digits == 0 and not p.has_escapes and not p.has_minus_zero
         # by whether it follows
         self.all_same_history = [0, 0]
         self.same_history = [0, 0]
@@ -191,14 +189,14 @@ class Positions:
         w = [self.whole_of(x) for x in guess]
         # 2
         follows = repeats = False
-        leader = NONE
         if self.followers and not on_edge:
             self.followers.advance(v, configuration, stencil)
-            leader = self.followers.leader(v, stencil, self.prior)
+            leader = self.followers.leader(v, configuration, stencil)
             if leader != NONE:
                 repeats, whole_said, value_said, coordinate_said = self.followers.says(
                     v, leader, configuration, stencil, variant, guess)
-                follows = self.followers.read(repeats)
+                self.follower_sizes.begin(NUMBER[configuration], variant)
+                follows = self.followers.read(repeats, self.follower_sizes.far())
         # 3
         echo = None
         if self.echoes and not follows and not on_edge:
@@ -207,12 +205,6 @@ class Positions:
                 said = [self.echoes.says(*echo, k, self.M) for k in range(3)]
                 whole_said, value_said, coordinate_said = zip(*said)
         # 4
-        self.prior = NONE
-        if follows:
-            self.prior = leader
-        elif echo and self.head.echoes[echo[1]][0] == 0:
-            self.prior = echo[0]
-        # 5
         border = None
         if self.along and not follows and not echo:
             border = self.along.read(stencil, borders)
@@ -221,10 +213,10 @@ class Positions:
             stencil = border.stencil
             guess = self.guess(configuration, stencil)
             w = [self.whole_of(x) for x in guess]
-            # 6
+            # 5
             sizes.begin(stencil[:3], NUMBER[configuration], order=border.order)
             self.signs.begin(sizes.told_by)
-        # 7
+        # 6
         all_same = None  # if the flag is not read
         if echo or follows and (repeats or self.digits == 0):
             all_same = self.read_all_same(follows, repeats)
@@ -237,7 +229,7 @@ class Positions:
             if border and k == border.last:
                 w[k] = self.whole_of(clamp(border.on_plane(guess, value), -float(self.M), float(self.M)))
                 off_plane = self.along.expected(border)
-            # 7.1
+            # 6.1
             level = None
             if all_same is not None:
                 same[k] = all_same or self.read_same(k, follows, same)
@@ -245,7 +237,7 @@ class Positions:
                 beside = value[k - 1] if k > 0 else None
                 level = self.levels.read(configuration, stencil, k, w[k], beside)
                 same[k] = level is not None
-            # 7.2
+            # 6.2
             if same[k]:
                 if level is not None:
                     value[k] = self.value[level][k]
@@ -254,12 +246,12 @@ class Positions:
                     value[k] = value_said[k]
                     coordinate[k] = coordinate_said[k]
                     require(abs(value[k]) < self.M, "the value of an echo or of a leader")
-            # 7.3
+            # 6.3
             else:
                 if echo:
-                    miss = sizes.residual_under(k, 96 + k)
+                    miss = sizes.residual_under(k, 96 + k, self.differs)
                 elif follows:
-                    miss = sizes.residual_under(k, 99 + k)
+                    miss = self.follower_sizes.residual(k, self.differs)
                 else:
                     part = 0.0 if self.digits > 0 or off_plane is not None else guess[k] - float(w[k])
                     miss = sizes.residual(k, off_plane, lambda s: self.signs.read(k, part, s))
@@ -268,7 +260,7 @@ class Positions:
                 told = guess[k] if on_edge and miss == 0 else None
                 behind = self.behind_the_point(v, k, whole, told)
                 value[k], coordinate[k] = self.value_and_coordinate(whole, *behind)
-            # 7.4
+            # 6.4
             if same[k] or echo or follows:
                 miss = sizes.note(k, math.trunc(value[k] - float(w[k])))
             signs[k] = sign_of(miss)
@@ -276,8 +268,10 @@ class Positions:
             k = border.last
             self.along.keep(v, sizes.r[k])
             sizes.r[k] = min(math.trunc(abs(value[k] - guess[k]) + 0.5), MOST32)
-        # 8
+        # 7
         sizes.keep(v)
+        if follows:
+            self.follower_sizes.keep()
         self.signs.keep(signs)
         stays = all(same) and bool(repeats if follows else echo and self.echoes.stays(echo[1]))
         self.add(tuple(value), tuple(coordinate), stays)
@@ -285,21 +279,24 @@ class Positions:
             if on_edge:
                 self.followers.skip()
             else:
-                self.followers.enter(v)
+                self.followers.enter(v, configuration, guess)
 
     def read_all_same(self, follows, repeats):
-        """7: whether all axes are the same."""
+        """6: whether all axes are the same."""
         h = self.all_same_history[follows]
-        answer = self.flag("all_same", follows, h, repeats if follows else 1)
+        answer = self.flag("all_same", follows, h, *((repeats, self.follower_sizes.far()) if follows else (1, 0)))
         self.all_same_history[follows] = (h * 2 + answer) % 8
         return answer
 
     def read_same(self, k, follows, same):
-        """7.1, where not all are: whether axis k is the same; `same`: which of those before it are."""
+        """6.1, where not all are: whether axis k is the same; `same`: which of those before it are."""
         if k == 2 and same[0] and same[1]:
             return False
         h = self.same_history[follows]
-        answer = self.flag("follow_same" if follows else "same", k, h)
+        if follows:
+            answer = self.flag("follow_same", self.follower_sizes.far(), k, h)
+        else:
+            answer = self.flag("same", k, h)
         self.same_history[follows] = (h * 2 + answer) % 4
         return answer
 

@@ -10,6 +10,8 @@ SEED = 0  # the configuration that has variants
 TET = 6  # from here on configurations are of tets
 NO_ONE, SEEDS, EVERYONE = range(3)
 
+FOLLOWERS = 5  # their kind
+
 
 def scale_of(e):
     """The expected size by e: context and bits."""
@@ -59,9 +61,9 @@ class Sizes:
         scale = scale_of(self.e(k) if e is None else e)
         return self.note(k, self.stream.residual(*scale, self.kinds[self.configuration], sign))
 
-    def residual_under(self, k, context):
-        """A residual of slot k under a context with bits 2."""
-        return self.note(k, self.stream.residual(context, 2))
+    def residual_under(self, k, context, differs):
+        """A residual of slot k under a context with bits 2; `differs` as for streams."""
+        return self.note(k, self.stream.residual(context, 2, differs=differs))
 
     def note(self, k, residual):
         self.r[k] = min(abs(residual), MOST32)
@@ -90,3 +92,38 @@ class Sizes:
             usual += ((16 * done // 3 + 31) >> 5) - ((usual + 31) >> 5)
             self.usual[self.configuration, self.variant] = usual
         self.magnitudes[element] = magnitudes
+
+
+class FollowerSizes:
+    """8.6, followers: `usual` of what leaders say, by the variant of a seed."""
+
+    def __init__(self, stream):
+        self.stream = stream
+        self.usual = {0: 64, 1: 64, 2: 64, None: 64}
+
+    def begin(self, configuration, variant):
+        """A vertex that has a leader."""
+        self.of = variant if configuration == SEED else None
+        self.done = 0
+
+    def far(self):
+        return sum(self.usual[self.of] >= bound for bound in (8, 32, 128))
+
+    def residual(self, k, differs):
+        """A residual of axis k; `differs` as for streams."""
+        context, bits = scale_of(self.e(k))
+        residual = self.stream.residual(context & ~1, bits, FOLLOWERS, differs=differs)
+        self.done += min(abs(residual), MOST32)
+        return residual
+
+    def e(self, k):
+        usual = self.usual[self.of]
+        if k == 0:
+            return usual
+        if k == 1:
+            return (20 * usual + 192 * self.done) >> 5
+        return (16 * usual + 128 * self.done) >> 5
+
+    def keep(self):
+        """After a vertex that follows."""
+        self.usual[self.of] = (3 * self.usual[self.of] + 16 * self.done // 3) // 4

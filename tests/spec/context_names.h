@@ -58,6 +58,8 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"all_same", R::all_same},
                                                 {"sign", R::sign},
                                                 {"sign_of_large", R::sign_of_large},
+                                                {"lead", R::lead},
+                                                {"lead_place", R::lead_place},
                                                 {"size_by", R::size_by}};
     return blocks;
 }

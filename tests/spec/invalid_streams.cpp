@@ -143,8 +143,6 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
-    headed(41, "lag-0", "lag is 0", 1, 0);
-    headed(41, "lag-17", "lag is 17", 1, 17);
     add(41, "fitted", "weights of an eighteenth set",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;
@@ -166,6 +164,13 @@ void InvalidMaker::positions() {
         with_positions(valid("quad"), {{numbers(-1, 0, 0), numbers(kMost - 1, 0, 0), {}},
                                        {{"echo", true}, {"same", true}},
                                        echoes(1, 4, 1, kMost)}));
+    // Both parts before may lead the third.
+    add(43, "lead", "a leader at place 16 of two",
+        with_positions(
+            valid("nine-apart"),
+            {std::vector<Position>(12), {{"lead", false}, {"lead_place", true}}, [](Bytes& raw) {
+                 raw = {std::byte{1}, std::byte{0}};
+             }}));
     const auto form = [](int places, int digits) {
         return [=](Bytes& raw) {
             ByteWriter out;

@@ -99,7 +99,6 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
         format.level_bits = static_cast<int>(levels & 127);
         format.has_pairs = (levels & 128) != 0;
     }
-    if (format.has_follows) format.lag = static_cast<int>(f.u8("lag"));
     if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
     for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)

@@ -212,7 +212,8 @@ Bytes with_positions(const Bytes& file, const Positions& positions) {
     for (Id v = 0; sane && v < positions.truth.size(); ++v) {
         Stencil stencil;
         for (Id k = 0; k < 3 && k < v; ++k) stencil.at[k] = v - 1 - k;
-        if (v == 3) stencil = stencil_of(Configuration::quad_fourth, {0, 2, 1});
+        stencil.variant = static_cast<std::uint8_t>(std::min<Id>(v % 4, 2));
+        if (v % 4 == 3) stencil = stencil_of(Configuration::quad_fourth, {v - 3, v - 1, v - 2});
         sane = codes.next(stencil, positions.truth[v]);
     }
     if (sane) throw std::runtime_error("positions without fault");

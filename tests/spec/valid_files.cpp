@@ -96,6 +96,7 @@ std::vector<ValidFile> valid_files() {
     add_made("bow-tie", "a corner twice in one polygon", "tiny:bow-tie");
     add_made("soup", "random polygons with every kind of dirt", "soup:polygons=14,seed=3", bits(8));
     add_made("two-apart", "two components", "tiny:two-apart");
+    add_made("nine-apart", "nine components alike", "grid:size=1x1,copies=9", bits(8));
     add_made("precedents", "six alike: answers by precedents", "polygons:mixed,size=4x3,copies=6",
              bits(8));
     add_made("soup-four", "the soup four times: copies, flips and degrees by precedents",

@@ -76,8 +76,9 @@ void learn_residuals(const Complex& complex, const Course& course, const Positio
     const std::vector<Index> unused;
     const EdgePoints edges;
     const CodedPositions all = in_order(plan, complex, course.record, unused, edges);
+    const ChosenFormat chosen = choose_format(all, false, 1);
     ResidualTape tape;
-    code_positions(tape, all, choose_format(all, false, 1), all.size(),
+    code_positions(tape, all, chosen.format, chosen.leads, all.size(),
                    [](std::size_t) { return true; });
     into.take_in(tape.tally);
 }
