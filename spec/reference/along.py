@@ -30,7 +30,7 @@ class Along:
         self.usual_off = 256
 
     def read(self, stencil, borders):
-        """8.4 step 5: the `Border` that the vertex goes on with, None if it does with none."""
+        """8.4 step 4: the `Border` that the vertex goes on with, None if it does with none."""
         value = self.positions.value
         asked = 0
         for e in borders:

@@ -108,7 +108,8 @@ TEST_CASE("large meshes stay within the limit that lets them through") {
     for (const char* recipe :
          {"torus:quads=20000", "soup:polygons=5000,seed=1,attributes",
           "tets:box=14,attributes,companions", "soup:tets=5000,seed=2", "polygons:cap,size=3000",
-          "tets:box=1,copies=600", "tets:box=8,companions with edge nodes"})
+          "tets:box=1,copies=600", "grid:size=1x1,copies=1000",
+          "tets:box=8,companions with edge nodes"})
         for (const bool order : {false, true}) {
             EncodeOptions encoding;
             encoding.keep_order = order;
