@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "predict/leads.h"
@@ -10,24 +9,24 @@
 namespace ravel {
 namespace {
 
-// About how many bits a vertex takes that is missed by so much: a coordinate that is met costs next
-// to nothing.
-float bits_of(const Point3& missed) {
-    float bits = 0;
+// About how many tenths of a bit a vertex takes that is missed by so much: a coordinate that is met
+// costs next to nothing.
+std::uint64_t price_of(const Point3& missed) {
+    std::uint64_t price = 0;
     for (const double x : missed) {
-        const double size = std::min(0x1p60, std::abs(x) + 0.5);
-        bits += size < 1 ? 0.1f
-                         : 1 + static_cast<float>(std::bit_width(static_cast<std::uint64_t>(size)));
+        const int digits = digits_of(x);
+        price += digits == 0 ? 1 : 10 * (1 + static_cast<std::uint64_t>(digits));
     }
-    return bits;
+    return price;
 }
 
-// What a guess missed, told by the first three vertices of its stencil as `carried` tells it: along
-// both sides, and across them. Where these span nothing, `across` is 0 and the other as it is.
+// What a guess missed, and the same along the two sides of its stencil's first triangle and across
+// them, as `carried` has it: `height` of one vertex times `across` of another is in multiples of
+// the cross product of the other's sides. 0 where the sides span nothing.
 struct Missed {
     Point3 by{};
     std::array<double, 2> along{};
-    double height = 0, across = 0;  // height times across is in multiples of the sides' product
+    double height = 0, across = 0;
 };
 
 // What is known of each vertex: its course, and how far off its own guess is.
@@ -37,7 +36,7 @@ struct Walk {
     std::vector<std::uint64_t> course;
     std::vector<Id> end;  // of its part
     std::vector<Missed> missed;
-    std::vector<float> bits;  // of what its own guess missed
+    std::vector<std::uint64_t> before;  // the prices of all before it by their own guesses
 
     // The sides of a vertex's frame.
     std::array<Point3, 2> sides(Id v) const {
@@ -57,16 +56,16 @@ struct Walk {
         return out;
     }
     // What the rest of the part of v takes, from v on, if u leads v; or more than `least`.
-    float taken(Id u, Id v, float least) const {
+    std::uint64_t taken(Id u, Id v, std::uint64_t least) const {
         const Id by = v - u;
-        float sum = 0;
-        bool leads = true;
-        for (Id w = v; w < end[v] && sum < least; ++w) {
+        std::uint64_t sum = 0;
+        Id w = v;
+        for (; w < end[v] && sum < least; ++w) {
             if (record.copy_of[w] != kNone) continue;
-            leads = leads && course[w - by] == course[w] && can_shift(record.stencils[w], by);
-            sum += leads ? std::min(bits[w], bits_of(off(w - by, w))) : bits[w];
+            if (course[w - by] != course[w] || !can_shift(record.stencils[w], by)) break;
+            sum += std::min(before[w + 1] - before[w], price_of(off(w - by, w)));
         }
-        return sum;
+        return sum + (before[end[v]] - before[w]);  // from where on u leads no more
     }
     void add(const Point3& by, Id v) {
         Missed out;
@@ -91,7 +90,7 @@ struct Walk {
 Walk walk_of(const WalkRecord& record, const std::vector<Point3>& places,
              const PositionFormat& format) {
     const std::size_t size = record.stencils.size();
-    Walk walk{record, places, {}, {}, {}, {}};
+    Walk walk{record, places, {}, {}, {}, {0}};
     walk.course.assign(size, 0);
     walk.end.assign(size, static_cast<Id>(size));
     Courses courses(size);
@@ -102,8 +101,9 @@ Walk walk_of(const WalkRecord& record, const std::vector<Point3>& places,
         const Stencil& stencil = record.stencils[v];
         const Point3 missed = minus(places[v], predictor.guess(stencil, places));
         walk.add(missed, v);
-        walk.bits.push_back(bits_of(missed));
-        if (record.copy_of[v] != kNone) continue;
+        const bool coded = record.copy_of[v] == kNone;
+        walk.before.push_back(walk.before.back() + (coded ? price_of(missed) : 0));
+        if (!coded) continue;
         courses.enter(stencil, v);
         walk.course[v] = courses.course();
         if (courses.in_seed() && !was_seed) {
@@ -119,7 +119,7 @@ Walk walk_of(const WalkRecord& record, const std::vector<Point3>& places,
 
 std::vector<std::uint8_t> plan_follows(const WalkRecord& record, const std::vector<Point3>& places,
                                        const PositionFormat& format) {
-    constexpr float kPlaceBits = 5;  // of one that is not the first
+    constexpr std::uint64_t kPlacePrice = 50;  // of one that is not the first
     const Walk walk = walk_of(record, places, format);
     std::vector<std::uint8_t> leads(record.stencils.size(), 0);
     Courses courses(record.stencils.size());
@@ -127,15 +127,14 @@ std::vector<std::uint8_t> plan_follows(const WalkRecord& record, const std::vect
         const Stencil& stencil = record.stencils[v];
         if (record.copy_of[v] == kNone) {
             courses.enter(stencil, v);
-            const bool is_told =
-                !courses.in_seed() && !(courses.is_led() && courses.going_on(stencil, v) != kNone);
-            if (is_told) {
+            if (!courses.in_seed() && courses.led_by(stencil, v) == kNone) {
                 LeadList list(courses, stencil, v);
                 list.sort(places, list.size());
-                float least = 1e30f;
+                std::uint64_t least = ~std::uint64_t{0};
                 for (std::size_t i = 0; i < list.size() && list.size() > 1; ++i) {
-                    const float price = i == 0 ? 0 : kPlaceBits;
-                    const float taken = price + walk.taken(list[i], v, least - price);
+                    const std::uint64_t price = i == 0 ? 0 : kPlacePrice;
+                    if (price >= least) break;
+                    const std::uint64_t taken = price + walk.taken(list[i], v, least - price);
                     if (taken < least) least = taken, leads[v] = static_cast<std::uint8_t>(i);
                 }
                 if (list.size() > 0) courses.lead(list[leads[v]], v);

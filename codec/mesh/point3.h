@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace ravel {
@@ -13,6 +14,9 @@ inline Point3 minus(const Point3& a, const Point3& b) {
 }
 inline double dot(const Point3& a, const Point3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double length(const Point3& a) {
+    return std::sqrt(dot(a, a));
 }
 inline Point3 cross(const Point3& a, const Point3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

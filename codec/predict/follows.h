@@ -77,8 +77,8 @@ class Courses {
         const Id u = by_ != 0 && by_ <= v ? v - by_ : kNone;
         return can_lead(u, stencil, v) ? u : kNone;
     }
-    // Has the part at hand been told its leader?
-    bool is_led() const { return is_led_; }
+    // The same, if the part at hand has been told its leader.
+    Id led_by(const Stencil& stencil, Id v) const { return is_led_ ? going_on(stencil, v) : kNone; }
     void lead(Id u, Id v) {
         by_ = v - u;
         is_led_ = true;
@@ -112,6 +112,12 @@ class Courses {
     Id begin_ = 0, by_ = 0;
     bool in_seed_ = false, fresh_ = false, is_led_ = false;
 };
+
+// Digits of what is missed by on one axis.
+inline int digits_of(double missed) {
+    return static_cast<int>(
+        std::bit_width(static_cast<std::uint64_t>(std::min(0x1p60, std::abs(missed) + 0.5))));
+}
 
 // guess + `missed`, turned and stretched from the frame of the stencil `from` to that of `to`.
 inline Point3 carried(const std::vector<Point3>& values, const Stencil& to, const Stencil& from,

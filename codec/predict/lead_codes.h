@@ -27,7 +27,7 @@ class LeadCodes {
             leader = seeds_.leader(courses_, stencil, v);
             return true;
         }
-        leader = courses_.is_led() ? courses_.going_on(stencil, v) : kNone;
+        leader = courses_.led_by(stencil, v);
         if (leader != kNone) return true;
         LeadList list(courses_, stencil, v);
         if (list.size() == 0) return true;

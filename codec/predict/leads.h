@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -64,9 +64,7 @@ class LeadList {
         double unlike;
         std::uint32_t came;
         Id vertex;
-        bool operator<(const Alike& other) const {
-            return unlike != other.unlike ? unlike < other.unlike : came < other.came;
-        }
+        auto operator<=>(const Alike&) const = default;
     };
 
     // Of the sides between the first three vertices of the stencil `by` vertices earlier.
@@ -75,8 +73,7 @@ class LeadList {
         for (std::size_t k = 0; k < 3; ++k) {
             const Id a = stencil_.at[k == 2 ? 1 : 0], b = stencil_.at[k == 0 ? 1 : 2];
             if (a == kNone || b == kNone) continue;
-            const Point3 side = minus(values[b - by], values[a - by]);
-            out[k] = std::sqrt(dot(side, side));
+            out[k] = length(minus(values[b - by], values[a - by]));
         }
         return out;
     }
@@ -115,9 +112,7 @@ class SeedLeads {
             if (candidates_[k] == kNoSeed) continue;
             const Point3 off = minus(by, seeds_[candidates_[k]].missed);
             std::uint64_t bits = 0;
-            for (const double x : off)
-                bits += static_cast<std::uint64_t>(std::bit_width(
-                    static_cast<std::uint64_t>(std::min(0x1p60, std::abs(x) + 0.5))));
+            for (const double x : off) bits += static_cast<std::uint64_t>(digits_of(x));
             misses_[k] = misses_[k] / 2 + (bits << 16);
         }
         seeds_.push_back({courses.course(), v, by});

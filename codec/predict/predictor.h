@@ -113,9 +113,6 @@ inline Point3 plus(const Point3& a, const Point3& b) {
 inline Point3 times(const Point3& a, double s) {
     return {a[0] * s, a[1] * s, a[2] * s};
 }
-inline double length(const Point3& a) {
-    return std::sqrt(dot(a, a));
-}
 inline bool names_missing(const Sum& sum, const Stencil& stencil) {
     for (std::size_t i = 0; i < kStencilSize; ++i)
         if (sum[i] != 0 && stencil.at[i] == kNone) return true;

@@ -386,7 +386,7 @@ class TetWalk {
     TetFront front_;
     VertexGrid grid_;
     std::vector<Id> triangle_of_;            // per facet: its open triangle, or kNone
-    std::vector<Id> waiting_;                // open triangles that are not in the hash yet
+    std::vector<Id> waiting_;                // open triangles that are not to be found yet
     bool goes_on_ = false;                   // through one of these
     std::vector<std::uint8_t> on_border_;    // per vertex
     std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it

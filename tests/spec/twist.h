@@ -28,8 +28,9 @@ struct Twist {
 // as the likely answers. Throws a std::runtime_error where the walk goes through.
 Bytes with_twisted_walk(const Bytes& file, const Twist& twist);
 
-// `file`, of quads apart, with the given numbers as positions of its first vertices, flags of the blocks in `forced`
-// as they say, and `change` made to the head of the section. Throws where no fault is found.
+// `file`, of quads apart, with the given numbers as positions of its first vertices, flags of the
+// blocks in `forced` as they say, and `change` made to the head of the section. Throws where no
+// fault is found.
 struct Positions {
     std::vector<Position> truth;
     std::vector<std::pair<std::string, bool>> forced;
