@@ -3,6 +3,37 @@
 #include "predict/follows.h"
 
 namespace ravel {
+namespace {
+
+bool read_round_faces(ByteReader& in, PositionFormat& format) {
+    const std::uint8_t count = in.u8();
+    format.round_slack = in.u8();
+    bool sane = count >= 1 && count <= kMostRoundFaces && format.round_slack <= kMostRoundSlack;
+    for (std::size_t f = 0; f < count && sane; ++f) {
+        RoundFace face;
+        const std::uint8_t kind = in.u8();
+        face.kind = static_cast<RoundKind>(kind);
+        sane = kind < static_cast<std::uint8_t>(RoundKind::count);
+        for (std::int64_t& x : face.centre) {
+            x = unzigzag(in.varint());
+            sane = sane && x <= kMostRoundLength && x >= -kMostRoundLength;
+        }
+        for (std::size_t k = 0; k < 3 && face.kind != RoundKind::sphere; ++k) {
+            face.axis[k] = unzigzag(in.varint());
+            sane = sane && face.axis[k] <= kMostRoundAxis && face.axis[k] >= -kMostRoundAxis;
+        }
+        const std::uint64_t radius = in.varint();
+        const std::uint64_t ring = face.kind == RoundKind::torus ? in.varint() : 0;
+        sane = sane && radius <= std::uint64_t{kMostRoundLength} &&
+               ring <= std::uint64_t{kMostRoundLength};
+        face.radius = static_cast<std::int64_t>(radius);
+        face.ring = static_cast<std::int64_t>(ring);
+        format.rounds.push_back(face);
+    }
+    return sane;
+}
+
+}  // namespace
 
 Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     PositionFormat format;
@@ -17,7 +48,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     format.has_along = (flags & 2) != 0;
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
-    bool sane = fitted < 2 * kNoTriangleDefaults &&
+    bool sane = fitted < 2 * kHasRounds && ((fitted & kHasRounds) == 0 || format.has_along) &&
                 (!format.has_along || head.kind == CellKind::tet) && base <= 2 &&
                 (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
@@ -60,6 +91,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
             sane = sane && w >= -32768 && w <= 32767;
             format.weights[c][i] = static_cast<std::int16_t>(w);
         }
+    if ((fitted & kHasRounds) != 0 && sane) sane = read_round_faces(in, format);
     if (!sane || !in.ok())
         return Error{Code::corrupt, in.at(), "the head of the positions makes no sense"};
     format.has_stand_ins = head.lossless && head.kind == CellKind::tet;

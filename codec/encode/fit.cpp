@@ -5,37 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "predict/border_plane.h"
+#include "encode/linear_system.h"
 
 namespace ravel {
 namespace {
 
-using Solution = std::array<double, kFeatures>;
+using Solution = Row<kFeatures>;
 
 struct Sample {
     std::array<double, kFeatures> x;
     double y;  // wanted - base
 };
-
-// Solves A w = b for symmetric positive A (n by n) by elimination; A is made safe by a small ridge.
-Solution solve(std::array<std::array<double, kFeatures>, kFeatures> a, Solution b, std::size_t n) {
-    double trace = 0;
-    for (std::size_t i = 0; i < n; ++i) trace += a[i][i];
-    for (std::size_t i = 0; i < n; ++i) a[i][i] += 1e-6 * a[i][i] + 1e-9 * trace + 1e-30;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t r = i + 1; r < n; ++r) {
-            const double f = a[r][i] / a[i][i];
-            for (std::size_t c = i; c < n; ++c) a[r][c] -= f * a[i][c];
-            b[r] -= f * b[i];
-        }
-    Solution w{};
-    for (std::size_t i = n; i-- > 0;) {
-        double sum = b[i];
-        for (std::size_t c = i + 1; c < n; ++c) sum -= a[i][c] * w[c];
-        w[i] = sum / a[i][i];
-    }
-    return w;
-}
 
 double error_of(const Sample& s, const Solution& w, std::size_t n) {
     double e = s.y;
@@ -66,7 +46,7 @@ Solution best_for(const std::vector<Sample>& samples, const Solution& start, std
                   double unit) {
     Solution w = start;
     for (int round = 0; round < 5; ++round) {
-        std::array<std::array<double, kFeatures>, kFeatures> a{};
+        Rows<kFeatures> a{};
         Solution b{};
         for (const Sample& s : samples) {
             const double weight = 1 / (std::abs(error_of(s, w, n)) + unit);
@@ -77,6 +57,10 @@ Solution best_for(const std::vector<Sample>& samples, const Solution& start, std
         }
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < i; ++j) a[i][j] = a[j][i];
+        double trace = 0;
+        for (std::size_t i = 0; i < n; ++i) trace += a[i][i];
+        // A small ridge makes it safe.
+        for (std::size_t i = 0; i < n; ++i) a[i][i] += 1e-6 * a[i][i] + 1e-9 * trace + 1e-30;
         w = solve(a, b, n);
     }
     Solution rounded{};
@@ -115,7 +99,7 @@ void choose(const std::vector<Sample>& samples, std::size_t n, double share,
 }  // namespace
 
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
-                    const std::vector<bool>& skip, bool mirrored, bool along) {
+                    const std::vector<bool>& skip, bool mirrored, const RoundFaces* along) {
     constexpr std::size_t kVertices = 2048;  // of a set that are looked at, or a share
     Weights weights = kDefaultWeights;
     std::array<std::size_t, kWeightSets> total{}, seen{};
@@ -130,7 +114,8 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
     std::array<std::vector<Sample>, kWeightSets> samples;
     std::array<std::size_t, kWeightSets> stride{};
     for (std::size_t v = 0; v < stencils.size(); ++v) {
-        const Stencil stencil = along ? stencil_along(stencils[v], values, values[v]) : stencils[v];
+        const Stencil stencil =
+            along != nullptr ? stencil_along(stencils[v], values, values[v], *along) : stencils[v];
         if (stencil.configuration == Configuration::seed ||
             stencil.configuration >= Configuration::led || (!skip.empty() && skip[v]))
             continue;

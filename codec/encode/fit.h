@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "predict/predictor.h"
+#include "predict/round_faces.h"
 
 namespace ravel {
 
@@ -12,9 +13,8 @@ namespace ravel {
 // configuration `seed` and those in `skip` (non-empty: per vertex) are passed over. Weighted least
 // squares, reweighted towards least absolute error, on at most some four thousand vertices per
 // set of weights. A set keeps its defaults, or has none, where fitting does not pay for storing.
-// `along`: vertices near the plane of a border beside their gate are taken to be guessed from
-// there.
+// `along`: vertices that lie along a border beside their gate are taken to be guessed from there.
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
-                    const std::vector<bool>& skip, bool mirrored, bool along);
+                    const std::vector<bool>& skip, bool mirrored, const RoundFaces* along);
 
 }  // namespace ravel

@@ -7,7 +7,7 @@
 #include <compare>
 
 #include "encode/fit.h"
-#include "predict/border_plane.h"
+#include "predict/round_faces.h"
 #include "walk/gate_shapes.h"
 #include "walk/tet_front.h"
 
@@ -126,12 +126,13 @@ double bits_with(const Complex& complex, CoursePlan plan, Index step, bool move)
         values.push_back(plan.walk.places[complex.point[record.vertex_of[v]]]);
         skip.push_back(record.copy_of[v] != kNone);
     }
-    Predictor predictor(fit_weights(record.stencils, values, skip, plan.limits.mirrored, true),
+    const RoundFaces planes;  // no round ones
+    Predictor predictor(fit_weights(record.stencils, values, skip, plan.limits.mirrored, &planes),
                         plan.limits.mirrored, move);
     double bits = codes.out.ideal_bits();
     for (std::size_t v = 0; v < values.size(); ++v) {
         if (skip[v]) continue;
-        const Stencil stencil = stencil_along(record.stencils[v], values, values[v]);
+        const Stencil stencil = stencil_along(record.stencils[v], values, values[v], planes);
         const Point3 off = minus(values[v], predictor.guess(stencil, values));
         for (const double x : off)
             bits += static_cast<double>(

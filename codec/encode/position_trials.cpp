@@ -8,11 +8,12 @@
 #include "encode/fit.h"
 #include "encode/follow_plan.h"
 #include "encode/position_pass.h"
+#include "encode/round_search.h"
 #include "encode/threads.h"
 #include "entropy/priors.h"
-#include "predict/border_plane.h"
 #include "predict/priors.h"
 #include "predict/residual_models.h"
+#include "predict/round_faces.h"
 
 namespace ravel {
 namespace {
@@ -81,7 +82,7 @@ bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
     look_at_some(record, [&](const Stencil& s, std::size_t v) {
         if (s.borders == 0) return;
         ++asked;
-        near += stencil_along(s, places, places[v]).configuration == Configuration::border;
+        near += stencil_along(s, places, places[v], {}).configuration == Configuration::border;
     });
     return 4 * near > asked;
 }
@@ -218,14 +219,15 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
     }
     PositionFormat first = all.plan.format;
     const bool may_go_along = goes_along(record, places);
-    const auto weights = [&](bool along) {
+    const RoundFaces planes;  // no round ones
+    const auto weights = [&](const RoundFaces* along) {
         return fit_weights(record.stencils, places, skip, first.mirrored, along);
     };
     auto finding_echoes =
         start(threads > 1 && !fast, [&] { return find_echoes(firm, first.numbers.digits == 0); });
     first.cube_bits = cube_bits_of(record, places, skip);
     first.has_along = fast && may_go_along;
-    first.weights = weights(first.has_along);
+    first.weights = weights(first.has_along ? &planes : nullptr);
     if (fast) {
         first.has_levels = is_lattice(record);
         first.level_bits = first.cube_bits;
@@ -240,7 +242,7 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
         return may_follow ? plan_follows(record, places, first) : std::vector<std::uint8_t>{};
     });
     const bool may_share = vertices < kSmall || has_level_faces(record, places);
-    const Weights along_weights = may_go_along ? weights(true) : first.weights;
+    const Weights along_weights = may_go_along ? weights(&planes) : first.weights;
     std::vector<std::uint8_t> leads = planning_follows.get();
     double echo_ratio = 1, level_ratio = 1;
 
@@ -252,6 +254,11 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
             change(format);
             return format;
         };
+    };
+    const auto weights_along = [&](const RoundsFound& rounds) {
+        RoundFaces faces(rounds.faces, rounds.slack);
+        for (const Point3& place : places) faces.insert(place);
+        return weights(&faces);
     };
     const auto always = [](const PositionFormat&) { return true; };
     std::vector<Proposal> proposals;
@@ -303,6 +310,24 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
             f.has_along = true;
             f.weights = along_weights;
         });
+    const RoundsFound rounds =
+        all.complex.kind == CellKind::tet ? find_round_faces(record, places, skip) : RoundsFound{};
+    const Weights round_weights = rounds.faces.empty() ? first.weights : weights_along(rounds);
+    const auto lay_on = [&](PositionFormat& f) {
+        f.has_along = true;
+        f.rounds = rounds.faces;
+        f.round_slack = rounds.slack;
+    };
+    if (!rounds.faces.empty()) {
+        offer(kTaken, always, lay_on);
+        offer(
+            kTaken, [](const PositionFormat& f) { return !f.rounds.empty(); },
+            [&](PositionFormat& f) { f.weights = round_weights; });
+        offer(
+            kRefused,
+            [](const PositionFormat& f) { return !f.rounds.empty() && !f.echoes.empty(); },
+            [](PositionFormat& f) { f.echoes.clear(); });
+    }
     // Who follows asks for neither echoes nor levels, so that costs less time than others.
     if (may_follow)
         offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; }).worth = kWorth / 4;

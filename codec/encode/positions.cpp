@@ -54,6 +54,7 @@ Bytes position_head_of(const PositionFormat& format) {
         (format.has_follows ? 1 : 0) | (format.has_along ? 2 : 0) | (format.has_escapes ? 4 : 0) |
         (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
         (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
+    if (!format.rounds.empty()) fitted |= kHasRounds;
     out.varint(fitted);
     if (!format.grid()) {
         out.varint(zigzag(format.numbers.places));
@@ -74,6 +75,18 @@ Bytes position_head_of(const PositionFormat& format) {
     for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
+    if (!format.rounds.empty()) {
+        out.u8(static_cast<std::uint8_t>(format.rounds.size()));
+        out.u8(static_cast<std::uint8_t>(format.round_slack));
+    }
+    for (const RoundFace& face : format.rounds) {
+        out.u8(static_cast<std::uint8_t>(face.kind));
+        for (const std::int64_t x : face.centre) out.varint(zigzag(x));
+        for (std::size_t k = 0; k < 3 && face.kind != RoundKind::sphere; ++k)
+            out.varint(zigzag(face.axis[k]));
+        out.varint(static_cast<std::uint64_t>(face.radius));
+        if (face.kind == RoundKind::torus) out.varint(static_cast<std::uint64_t>(face.ring));
+    }
     if (format.has_stand_ins) {
         for (const double x : format.place_origin) out.f64(x);
         out.f64(format.place_scale);

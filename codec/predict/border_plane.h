@@ -19,6 +19,15 @@ inline Stencil along_border(const Stencil& tet, std::size_t e) {
                       {tet.at[(e + 1) % 3], tet.at[(e + 2) % 3], tet.at[4 + e], tet.at[e]});
 }
 
+// The axes in the order in which the coordinates of a point are coded that lies across `normal`:
+// the one along which that is longest comes last.
+inline std::array<std::size_t, 3> axes_across(const Point3& normal) {
+    std::size_t last = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+        if (std::abs(normal[axis]) >= std::abs(normal[last])) last = axis;
+    return {last == 0 ? std::size_t{1} : 0, last == 2 ? std::size_t{1} : 2, last};
+}
+
 class BorderPlane {
   public:
     BorderPlane() = default;
@@ -28,10 +37,7 @@ class BorderPlane {
         const Point3 edge = minus(values[stencil.at[1]], foot);
         normal_ = cross(edge, minus(values[stencil.at[2]], foot));
         square_ = dot(normal_, normal_);
-        std::size_t last = 0;
-        for (std::size_t axis = 1; axis < 3; ++axis)
-            if (std::abs(normal_[axis]) >= std::abs(normal_[last])) last = axis;
-        axes_ = {last == 0 ? std::size_t{1} : 0, last == 2 ? std::size_t{1} : 2, last};
+        axes_ = axes_across(normal_);
         const Point3 gate = cross(minus(values[stencil.at[3]], foot), edge);
         const double d = dot(gate, normal_), q = dot(gate, gate) * square_;
         if (q > 0)
@@ -66,17 +72,6 @@ inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
     const Point3 normal = cross(edge, minus(values[border.at[2]], foot));
     const double d = dot(minus(value, foot), normal);
     return 16 * d * d < dot(edge, edge) * dot(normal, normal);
-}
-
-// Of a new vertex: along the first border near whose plane it lies, or as it is.
-inline Stencil stencil_along(const Stencil& met, const std::vector<Point3>& values,
-                             const Point3& value) {
-    for (std::size_t e = 0; e < 3; ++e) {
-        if ((met.borders >> e & 1) == 0) continue;
-        const Stencil border = along_border(met, e);
-        if (lies_along(border, values, value)) return border;
-    }
-    return met;
 }
 
 }  // namespace ravel

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mesh/point3.h"
-#include "predict/border_plane.h"
+#include "predict/border_codes.h"
 #include "predict/echo_codes.h"
 #include "predict/follow_sizes.h"
 #include "predict/follows.h"
@@ -45,9 +45,10 @@ class PositionCodes {
         tells_whole_ =
             format_.numbers.digits == 0 && !format_.numbers.has_minus_zero && !format_.has_escapes;
         if (!format_.echoes.empty()) echoes_.emplace(coder, format_, vertices);
+        if (format_.has_along) border_.emplace(coder, format_);
         if (format_.has_follows) leads_.emplace(coder, vertices, leads);
-        is_plain_ = format_.grid() && !format_.has_escapes && !format_.has_levels &&
-                    !format_.has_along && !leads_ && !echoes_;
+        is_plain_ = format_.grid() && !format_.has_escapes && !format_.has_levels && !border_ &&
+                    !leads_ && !echoes_;
     }
 
     void reserve(std::size_t vertices) {
@@ -60,9 +61,8 @@ class PositionCodes {
     // False: a value no encoder writes.
     bool next(const Stencil& stencil, const Position& truth) {
         if (is_plain_) return next_plain(stencil, truth);
-        Point3 g;
-        std::array<std::int64_t, 3> whole;  // of the guess
-        guess(stencil, g, whole);
+        Point3 g = guess_at(stencil);
+        std::array<std::int64_t, 3> whole = wholes_of(g);
         // The middle of an edge tells more than an echo.
         const bool edge = stencil.configuration == Configuration::edge;
         Earlier found;
@@ -84,9 +84,17 @@ class PositionCodes {
             echoes_->looked(told);
             stays = echoes_->stays(found);
         }
-        const bool along = format_.has_along && !told && code_along(stencil, truth);
-        const Stencil& guessed = along ? border_ : stencil;
-        if (along) guess(border_, g, whole);
+        const bool along = border_ && !told && border_->next(stencil, values_, [&] {
+            return units_of(format_.numbers, truth);
+        });
+        const Stencil& guessed = along ? border_->stencil() : stencil;
+        std::array<std::size_t, 3> axes{0, 1, 2};
+        if (along) {
+            g = border_->laid(guess_at(guessed));
+            for (double& x : g) x = clamped(x);
+            whole = wholes_of(g);
+            axes = border_->axes();
+        }
         sizes_.begin(guessed);
         const bool levels = format_.has_levels && !edge;
         if (levels) levels_.begin(guessed);
@@ -95,12 +103,12 @@ class PositionCodes {
         std::uint32_t sames = 0;  // a bit for each axis that is the same
         Point3 value{}, exact{};
         for (std::size_t step = 0; step < 3 && sane; ++step) {
-            const std::size_t axis = along ? plane_.axes()[step] : step;
+            const std::size_t axis = axes[step];
             const bool carried = along && step == 2;
             // The axis before, but where it comes last.
             const double* const before =
-                axis == 0 || (along && plane_.axes()[2] == axis - 1) ? nullptr : &value[axis - 1];
-            if (carried) whole[axis] = whole_of(clamped(plane_.carried(g, value)));
+                axis == 0 || (along && axes[2] == axis - 1) ? nullptr : &value[axis - 1];
+            if (carried) whole[axis] = whole_of(clamped(border_->carried(g, value)));
             Number number = truth[axis];
             std::int64_t missed = 0;
             bool same = false;
@@ -234,6 +242,7 @@ class PositionCodes {
         if (echoes_ && stays) echoes_->skip();
         if (echoes_ && !stays) echoes_->insert(value);
         if (!stays) levels_.insert(value, v);
+        if (border_) border_->insert(value);
         if (leads_) leads_->insert(v);
     }
 
@@ -246,9 +255,8 @@ class PositionCodes {
             for (double& x : g) x = to_24_bits(x);
         return g;
     }
-    void guess(const Stencil& stencil, Point3& g, std::array<std::int64_t, 3>& whole) {
-        g = guess_at(stencil);
-        for (std::size_t axis = 0; axis < 3; ++axis) whole[axis] = whole_of(g[axis]);
+    std::array<std::int64_t, 3> wholes_of(const Point3& g) const {
+        return {whole_of(g[0]), whole_of(g[1]), whole_of(g[2])};
     }
     double clamped(double x) const {
         const auto most = static_cast<double>(most_);
@@ -267,22 +275,6 @@ class PositionCodes {
 
     auto sign_by(std::size_t axis, double part) const {
         return [this, axis, part](std::uint32_t size) { return sizes_.sign(size, axis, part); };
-    }
-
-    // Does the vertex go on with one of the borders beside its gate? Then it is guessed from there.
-    bool code_along(const Stencil& stencil, const Position& truth) {
-        std::uint32_t asked = 0;
-        for (std::size_t e = 0; e < 3; ++e) {
-            if ((stencil.borders >> e & 1) == 0) continue;
-            border_ = along_border(stencil, e);
-            plane_ = BorderPlane(border_, values_);
-            if (!plane_.exists()) continue;
-            const bool along =
-                Coder::kWrites && lies_along(border_, values_, units_of(format_.numbers, truth));
-            if (coder_.flag(ResidualContexts::along.at(asked++, plane_.opening()), along))
-                return true;
-        }
-        return false;
     }
 
     static int width_of(std::int64_t r) { return static_cast<int>(std::bit_width(magnitude(r))); }
@@ -386,13 +378,12 @@ class PositionCodes {
     RestCodes<Coder> rest_;
     std::vector<Point3> values_, exact_;
     std::vector<Escape> escapes_;
+    std::optional<BorderCodes<Coder>> border_;
     std::optional<EchoCodes<Coder>> echoes_;
     std::optional<LeadCodes<Coder>> leads_;
     FollowSizes follow_sizes_;
     std::uint32_t same_ = 0, all_same_ = 0, followed_ = 0, follow_same_ = 0,
                   follow_all_same_ = 0;  // the last answers
-    Stencil border_;  // of the vertex that goes on with a border, and the plane of that
-    BorderPlane plane_;
 };
 
 }  // namespace ravel

@@ -69,7 +69,8 @@ struct ResidualContexts {
     static constexpr ContextBlock sign_of_large{sign.end(), 4};     // signs around
     static constexpr ContextBlock lead{sign_of_large.end(), 2, 8};  // goes on; the last answers
     static constexpr ContextBlock lead_place{lead.end(), 16};
-    static constexpr ContextBlock size_by{lead_place.end(), kSizeKinds - 1, kKindScales,
+    static constexpr ContextBlock along_round{lead_place.end(), 3, 16};
+    static constexpr ContextBlock size_by{along_round.end(), kSizeKinds - 1, kKindScales,
                                           kSizeNodes};
     static constexpr Context count = size_by.end();
 };

@@ -7,25 +7,37 @@ from guesses import PLACES
 
 
 class Border:
-    """What a vertex goes on with: the stencil it has from here on, N and the order of the axes."""
+    """What a vertex goes on with: the stencil it has from here on, its round face or None, N, the order of axes."""
 
-    def __init__(self, stencil, N):
+    def __init__(self, stencil, N, face):
         self.stencil = stencil + [NONE] * (PLACES - len(stencil))
         self.N = N
-        # of equal ones the highest
-        self.last = max(range(3), key=lambda k: (abs(N[k]), k))
-        self.order = [k for k in range(3) if k != self.last] + [self.last]
+        self.face = face
 
-    def on_plane(self, guess, value):
-        """x: where the plane has `last`, once `value` has the other two axes."""
+    def begin(self, guess, M):
+        """The guess from here on, of that by the stencil; says N and the order of the axes."""
+        if self.face:
+            moved = self.face.moved(guess)
+            self.N = self.face.outside(moved)[1]
+            guess = tuple(clamp(x, -M, M) for x in moved)
+        # of equal ones the highest
+        self.last = max(range(3), key=lambda k: (abs(self.N[k]), k))
+        self.order = [k for k in range(3) if k != self.last] + [self.last]
+        return guess
+
+    def x(self, guess, value):
+        """Where the plane or the round face has `last`, once `value` has the other two axes."""
         i, j, last = self.order
+        if self.face:
+            return self.face.x(guess, value, last)
         N = self.N
         return guess[last] - (N[i] * (value[i] - guess[i]) + N[j] * (value[j] - guess[j])) / N[last]
 
 
 class Along:
-    def __init__(self, positions):
+    def __init__(self, positions, round_faces):
         self.positions = positions
+        self.round_faces = round_faces  # None if there are none
         self.off = {}  # of the vertices that have one
         self.usual_off = 256
 
@@ -41,8 +53,10 @@ class Along:
             S = dot(N, N)
             if not S > 0:
                 continue
-            if self.positions.flag("along", asked, self.opening(minus(z, a), edge, N, S)):
-                return Border(own, N)
+            face = self.round_faces.under((a, b, y)) if self.round_faces else None
+            block = "along_round" if face else "along"
+            if self.positions.flag(block, asked, self.opening(minus(z, a), edge, N, S)):
+                return Border(own, N, face)
             asked += 1
         return None
 

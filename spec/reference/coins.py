@@ -9,6 +9,7 @@ import struct
 from types import SimpleNamespace
 
 import coins_riding
+import coins_rounds
 import container
 import guesses
 from coin_stream import CoinPrecedents, CoinStream, coin, varint, zigzag
@@ -126,7 +127,8 @@ def make_grid(head, flags):
 
 
 def make_positions_head(head):
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, level_bits=0, has_pairs=False)
+    """8.1: the fields, and their bytes before the round faces and behind these, which are only known after the walk."""
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, level_bits=0, has_pairs=False, round_faces=None)
     p.has_escapes = coin(0.3)
     p.has_minus_zero = head.lossless and coin(0.3)
     p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
@@ -137,7 +139,8 @@ def make_positions_head(head):
         p.places = random.randrange(8) if p.base == DECIMAL else random.choice((0, 3, 24, 52, -5, 1000, -1000))
         p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
     has_echoes = coin(0.5)
-    fitted = random.getrandbits(18) & random.getrandbits(18)
+    has_rounds = p.has_along and coin(0.7)
+    fitted = random.getrandbits(18) & random.getrandbits(18) | has_rounds << 18
     flags = p.has_follows | p.has_along << 1 | p.has_escapes << 2 | p.has_minus_zero << 3
     out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7]) + varint(fitted)
     if head.lossless:
@@ -156,23 +159,26 @@ def make_positions_head(head):
         out += bytes([p.level_bits | p.has_pairs << 7])
     p.weights = []
     for c, count in enumerate(guesses.WEIGHT_COUNT):
-        p.weights.append(guesses.default_weights(c, bool(fitted >> 17)))
+        p.weights.append(guesses.default_weights(c, bool(fitted >> 17 & 1)))
         if fitted >> c & 1:
             most = random.choice((300, 4096, 32767))
             p.weights[c] = [random.randint(-most, most) for _ in range(count)]
             out += b"".join(varint(zigzag(w)) for w in p.weights[c])
+    if has_rounds:
+        p.round_faces = coins_rounds.CoinRoundFaces()
+    behind = b""
     if head.tets and head.lossless:
         p.place_origin = tuple(random.uniform(-40, 0) for _ in range(3))
         p.place_scale = random.choice((1.0, 3.7, 0.01, -1.0, 1e5, float("nan")))
-        out += struct.pack("<4d", *p.place_origin, p.place_scale)
-    return p, out
+        behind = struct.pack("<4d", *p.place_origin, p.place_scale)
+    return p, out, behind
 
 
 def make_file(seed, rides=False):
     """The bytes of a file; None where the coins lead nowhere. `rides`: with companions, attributes, order."""
     random.seed(seed)
     head, head_bytes = make_head(rides and coin(0.5))
-    p, positions_bytes = make_positions_head(head)
+    p, before_rounds, behind_rounds = make_positions_head(head)
     edge_points = head.tets and coin(0.4)
     # precedents are found where many cells are alike
     has_precedents = not head.tets and coin(0.6)
@@ -196,11 +202,16 @@ def make_file(seed, rides=False):
     else:
         block.uniform_degree = random.choice((0, 0, 0, 0, 2, 3, 4, 5, 11))
     chances = {"kLed": random.choice((0.2, 0.6, 0.9, -1)), "kPrecedent": random.choice((0.5, 0.8, 0.95, -1))}
+    if p.has_along and coin(0.7):
+        # many borders and new vertices beside them
+        chances.update(kBorder=random.choice((0.15, 0.3)), kLowest=0.3, kNew=0.8, kLed=0.2)
     stream = CoinStream("tet" if head.tets else "surface", chances)
     if alike:
         stream.moods = (0.01, 0.99)
     chances = {"size": random.choice((0.3, 0.5, -1)), "leading": 0.2, "escape": 0.2}
     chances["size_by"] = chances["size"]
+    for name in "along", "along_round":
+        chances[name] = random.choice((0.3, 0.6, 0.9, -1))
     positions_stream = CoinStream("positions", chances)
     positions = CoinPositions(head, block, p, positions_stream)
     walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)
@@ -242,11 +253,12 @@ def make_file(seed, rides=False):
     fields += [block.unused_points, riding.companions, walk.seeds, block.links]
     if head.tets:
         fields += [block.grid_side, *block.grid_count, block.shape_step]
+    rounds = p.round_faces.bytes() if p.round_faces else b""
     sections = {
         container.HEAD: head_bytes + riding.head,
         container.BLOCK: bytes([flags]) + b"".join(varint(x) for x in fields),
         container.CONNECTIVITY: stream.bytes(),
-        container.POSITIONS: positions_bytes + positions_stream.bytes(),
+        container.POSITIONS: before_rounds + rounds + behind_rounds + positions_stream.bytes(),
         **riding.sections,
     }
     return whole_file(sections)

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, corrupt, require
 
-VERSION = 13
+VERSION = 14
 
 HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
 

@@ -11,6 +11,7 @@ from errors import require
 from followers import Followers
 from guesses import NUMBER
 from levels import Levels
+from rounds import read_round_faces
 from signs import Signs, sign_of
 from sizes import MOST32, FollowerSizes, Sizes, scale_of
 
@@ -20,7 +21,7 @@ GRID, DECIMAL, BINARY = range(3)
 def read_positions_head(data, head):
     """8.1"""
     bytes = Bytes(data)
-    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, level_bits=0, has_pairs=False)
+    p = SimpleNamespace(places=0, digits=0, echoes=[], cube_bits=0, level_bits=0, has_pairs=False, round_faces=None)
     flags = bytes.u8()
     p.has_follows = bool(flags & 1)
     p.has_along = bool(flags & 2)
@@ -33,7 +34,8 @@ def read_positions_head(data, head):
     require(p.base != 3 and (p.base == GRID) == (not head.lossless), "base")
     require(head.lossless or not p.has_minus_zero, "has_minus_zero of a grid")
     fitted = bytes.varint()
-    require(fitted < 2**18, "fitted")
+    has_rounds = bool(fitted >> 18)
+    require(fitted < 2**19 and (p.has_along or not has_rounds), "fitted")
     if head.lossless:
         p.places = bytes.zigzag()
         p.digits = bytes.u8()
@@ -65,8 +67,10 @@ def read_positions_head(data, head):
             weights = [bytes.zigzag() for _ in range(count)]
             require(all(-32768 <= w <= 32767 for w in weights), "a weight beyond 16 bits")
         else:
-            weights = guesses.default_weights(c, bool(fitted >> 17))
+            weights = guesses.default_weights(c, bool(fitted >> 17 & 1))
         p.weights.append(weights)
+    if has_rounds:
+        p.round_faces = read_round_faces(bytes)
     if head.tets and head.lossless:
         bytes.error = "truncated"
         p.place_origin = (bytes.f64(), bytes.f64(), bytes.f64())
@@ -100,7 +104,7 @@ class Positions:
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
         self.follower_sizes = FollowerSizes(stream)
-        self.along = Along(self) if p.has_along else None
+        self.along = Along(self, p.round_faces) if p.has_along else None
         self.levels = Levels(block, p, self) if p.has_levels else None
         # of what follows or is echoed and of which an axis is not the same
         self.differs = p.digits == 0 and not p.has_escapes and not p.has_minus_zero
@@ -211,7 +215,7 @@ class Positions:
         if border:
             configuration = "border"
             stencil = border.stencil
-            guess = self.guess(configuration, stencil)
+            guess = border.begin(self.guess(configuration, stencil), float(self.M))
             w = [self.whole_of(x) for x in guess]
             # 5
             sizes.begin(stencil[:3], NUMBER[configuration], order=border.order)
@@ -227,7 +231,7 @@ class Positions:
         for k in sizes.order:
             off_plane = None
             if border and k == border.last:
-                w[k] = self.whole_of(clamp(border.on_plane(guess, value), -float(self.M), float(self.M)))
+                w[k] = self.whole_of(clamp(border.x(guess, value), -float(self.M), float(self.M)))
                 off_plane = self.along.expected(border)
             # 6.1
             level = None

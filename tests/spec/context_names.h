@@ -60,6 +60,7 @@ inline const std::vector<NamedBlock>& position_blocks() {
                                                 {"sign_of_large", R::sign_of_large},
                                                 {"lead", R::lead},
                                                 {"lead_place", R::lead_place},
+                                                {"along_round", R::along_round},
                                                 {"size_by", R::size_by}};
     return blocks;
 }

@@ -143,14 +143,50 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
-    add(41, "fitted", "weights of an eighteenth set",
+    add(41, "fitted", "weights of a twentieth set",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;
             out.u8(0);
-            out.varint(2 * kNoTriangleDefaults);
+            out.varint(2 * kHasRounds);
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
+    // Of one face, but its count; with `has_along` or not.
+    const auto round = [&](const char* name, const char* says, unsigned count, unsigned slack,
+                           const RoundFace& face, unsigned flags = 2) {
+        add(59, name, says, raw_changed("box", SectionId::positions, [=](Bytes& raw) {
+                ByteWriter out;
+                out.u8(static_cast<std::uint8_t>(flags));
+                out.varint(kHasRounds);
+                out.u8(static_cast<std::uint8_t>(count));
+                out.u8(static_cast<std::uint8_t>(slack));
+                out.u8(static_cast<std::uint8_t>(face.kind));
+                for (const std::int64_t x : face.centre) out.varint(zigzag(x));
+                for (const std::int64_t x : face.axis) out.varint(zigzag(x));
+                out.varint(static_cast<std::uint64_t>(face.radius));
+                out.varint(static_cast<std::uint64_t>(face.ring));
+                raw = out.take();
+            }));
+    };
+    constexpr std::int64_t kLength = kMostRoundLength + 1, kAxis = -kMostRoundAxis - 1;
+    const RoundFace torus{RoundKind::torus, {0, 0, 0}, {0, 0, 1}, 32, 64};
+    const auto changed = [&](auto change) {
+        RoundFace face = torus;
+        change(face);
+        return face;
+    };
+    round("alone", "round faces, but nothing goes on with borders", 1, 0, torus, 0);
+    round("none", "no round faces", 0, 0, torus);
+    round("seventeen", "seventeen round faces", 17, 0, torus);
+    round("slack", "round_slack is 54", 1, 54, torus);
+    round("kind", "a face of kind 3", 1, 0,
+          changed([](RoundFace& f) { f.kind = RoundKind::count; }));
+    round("centre", "a centre at 2^58 + 1", 1, 0,
+          changed([](RoundFace& f) { f.centre[1] = kLength; }));
+    round("axis", "an axis of -2^51 - 1", 1, 0, changed([](RoundFace& f) { f.axis[2] = kAxis; }));
+    round("radius", "a radius of 2^58 + 1", 1, 0,
+          changed([](RoundFace& f) { f.radius = kLength; }));
+    round("ring", "a ring of 2^58 + 1", 1, 0, changed([](RoundFace& f) { f.ring = kLength; }));
     const auto numbers = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         Position p;
         p[0].whole = x, p[1].whole = y, p[2].whole = z;

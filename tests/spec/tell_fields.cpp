@@ -64,6 +64,23 @@ void tell_block(Fields f, bool tets) {
     f.varint("shape_step");
 }
 
+namespace {
+
+void tell_round_faces(Fields& f, PositionFormat& format) {
+    format.rounds.resize(f.u8("round_count"));
+    format.round_slack = static_cast<int>(f.u8("round_slack"));
+    for (RoundFace& face : format.rounds) {
+        face.kind = static_cast<RoundKind>(f.u8("kind"));
+        for (std::int64_t& x : face.centre) x = f.signed_varint("centre");
+        if (face.kind != RoundKind::sphere)
+            for (std::int64_t& x : face.axis) x = f.signed_varint("axis");
+        face.radius = static_cast<std::int64_t>(f.varint("radius"));
+        if (face.kind == RoundKind::torus) face.ring = static_cast<std::int64_t>(f.varint("ring"));
+    }
+}
+
+}  // namespace
+
 PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& block) {
     PositionFormat format;
     format.narrow = head.position_scalar == Scalar::f32;
@@ -103,6 +120,7 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
     for (std::size_t c = 0; c < kWeightSets; ++c)
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             format.weights[c][i] = static_cast<std::int16_t>(f.signed_varint("weight"));
+    if ((fitted & kHasRounds) != 0) tell_round_faces(f, format);
     format.has_stand_ins = head.lossless && head.kind == CellKind::tet;
     if (format.has_stand_ins) {
         for (double& x : format.place_origin) x = f.real("place_origin", false);

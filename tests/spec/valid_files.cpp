@@ -183,6 +183,11 @@ std::vector<ValidFile> valid_files() {
     add_made("ball", "tets of a ball, lossless", "tets:ball=2,jitter=0.1");
     add_made("shell", "tets with a hole, on a grid", "tets:shell=3,jitter=0.1", bits(10));
     add_made("many-tets", "fitted weights", "tets:ball=6,jitter=0.2,seed=3", bits(14));
+    add_made("round-ball", "a border on a sphere", "tets:ball=3,slide=0.5", bits(12));
+    add_made("round-rod", "a border on a cylinder", "tets:box=8x3x3,round,slide=0.5", bits(12));
+    add_made("round-bend", "a border on a torus", "tets:box=12x4x4,round,bend=120,slide=0.5",
+             bits(12));
+    add_made("round-exact", "a border near a sphere, lossless", "tets:ball=3,slide=0.5");
     add_made("tet-soup", "random tets with every kind of dirt", "soup:tets=10,seed=4", bits(9));
     add_made("companions", "triangles, lines and attributes beside tets",
              "tets:box=1x1x2,companions,attributes", bits(6));

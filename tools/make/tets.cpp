@@ -1,4 +1,4 @@
-// Tet meshes from cubes: boxes, straight or bent, balls and shells.
+// Tet meshes from cubes: boxes and rods, straight or bent, balls and shells.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -98,6 +98,31 @@ void round_off(Builder& builder, double side) {
     }
 }
 
+// Moves points by up to half of `most`; those of the box's border stay on it.
+void slide(Builder& builder, const Sizes& size, double most, Random& random) {
+    if (most == 0) return;
+    for (std::size_t i = 0; i < builder.coordinates.size(); ++i) {
+        double& x = builder.coordinates[i];
+        const double by = most * random.symmetric() / 2;
+        if (x > 0 && x < static_cast<double>(size[i % 3])) x += by;
+    }
+}
+
+// Makes a rod of a box: its sections along x become disks, or ellipses.
+void round_sections(Builder& builder, const Sizes& size) {
+    for (std::size_t i = 0; i < builder.coordinates.size(); i += 3) {
+        double p[3]{}, longest = 0, length = 0;
+        for (std::size_t k = 1; k < 3; ++k) {
+            p[k] = 2 * builder.coordinates[i + k] / static_cast<double>(size[k]) - 1;
+            longest = std::max(longest, std::fabs(p[k]));
+            length += p[k] * p[k];
+        }
+        const double scale = length > 0 ? longest / std::sqrt(length) : 0;
+        for (std::size_t k = 1; k < 3; ++k)
+            builder.coordinates[i + k] = (p[k] * scale + 1) / 2 * static_cast<double>(size[k]);
+    }
+}
+
 // What runs along x becomes an arc round an axis along z; where y is 0 it keeps its length. What
 // reaches beyond the axis folds over.
 void bend(Builder& builder, double length, double turns) {
@@ -128,6 +153,7 @@ void twist(Builder& builder, const Sizes& size, double turns) {
 Builder make_tets(Recipe& recipe) {
     const bool five = recipe.has("five");
     const double jitter = recipe.number("jitter", 0, 0, 1);
+    const double slid = recipe.number("slide", 0, 0, 1);
     Random random{recipe.integer("seed", 1, 0, ~std::uint64_t{0})};
     const auto everywhere = [](std::uint64_t, std::uint64_t, std::uint64_t) { return true; };
     Builder builder(CellKind::tet);
@@ -138,12 +164,15 @@ Builder make_tets(Recipe& recipe) {
         const double bent = recipe.number("bend", 0, 0, 350) / 360,
                      twisted = recipe.number("twist", 0, 0, 360) / 360;
         builder = cubes(size, five, everywhere);
+        slide(builder, size, slid, random);
+        if (recipe.has("round")) round_sections(builder, size);
         if (twisted > 0) twist(builder, size, twisted);
         if (bent > 0) bend(builder, static_cast<double>(size[0]), bent);
     } else if (recipe.has("ball")) {
         recipe.sizes("ball", size.data(), 1, 400);
         size = {size[0], size[0], size[0]};
         builder = cubes(size, five, everywhere);
+        slide(builder, size, slid, random);
         scale = 2 / static_cast<double>(size[0]);
         round_off(builder, static_cast<double>(size[0]));
     } else if (recipe.has("shell")) {
@@ -153,6 +182,7 @@ Builder make_tets(Recipe& recipe) {
         builder = cubes(size, five, [&](std::uint64_t x, std::uint64_t y, std::uint64_t z) {
             return std::min({x, y, z}) < wall || std::max({x, y, z}) >= far;
         });
+        slide(builder, size, slid, random);
         scale = 2 / static_cast<double>(size[0]);
         round_off(builder, static_cast<double>(size[0]));
     } else if (recipe.complaint.empty()) {

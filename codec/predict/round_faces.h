@@ -1,0 +1,65 @@
+// The round faces of a mesh, and which of its vertices lie on them.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/stencil.h"
+#include "predict/border_plane.h"
+#include "predict/round_face.h"
+
+namespace ravel {
+
+class RoundFaces {
+  public:
+    RoundFaces() = default;
+    // What lies less than 2^slack units off a face is on it.
+    RoundFaces(const std::vector<RoundFace>& faces, int slack) : slack_(std::ldexp(1.0, slack)) {
+        for (const RoundFace& face : faces) shapes_.push_back(shape_of(face));
+    }
+
+    bool empty() const { return shapes_.empty(); }
+    const RoundShape& operator[](std::size_t face) const { return shapes_[face]; }
+
+    bool holds(std::size_t face, const Point3& p) const {
+        return std::abs(outside_of(shapes_[face], p).distance) < slack_;
+    }
+    // Once per vertex, in order.
+    void insert(const Point3& p) {
+        if (shapes_.empty()) return;
+        std::uint32_t on = 0;
+        for (std::size_t f = 0; f < shapes_.size(); ++f) on |= std::uint32_t{holds(f, p)} << f;
+        on_.push_back(on);
+    }
+    // The first face on which all of a `border` stencil's triangle lies, or kNone.
+    Id of(const Stencil& border) const {
+        if (shapes_.empty()) return kNone;
+        const std::uint32_t on = on_[border.at[0]] & on_[border.at[1]] & on_[border.at[2]];
+        return on == 0 ? kNone : static_cast<Id>(std::countr_zero(on));
+    }
+    // Does a new vertex lie along a `border` stencil's triangle? What a writer goes by.
+    bool lies_along(const Stencil& border, Id face, const std::vector<Point3>& values,
+                    const Point3& value) const {
+        return face != kNone ? holds(face, value) : ravel::lies_along(border, values, value);
+    }
+
+  private:
+    double slack_ = 1;
+    std::vector<RoundShape> shapes_;
+    std::vector<std::uint32_t> on_;  // per vertex, a bit per face
+};
+
+// Of a new vertex: along the first border along which it lies, or as it is.
+inline Stencil stencil_along(const Stencil& met, const std::vector<Point3>& values,
+                             const Point3& value, const RoundFaces& faces) {
+    for (std::size_t e = 0; e < 3; ++e) {
+        if ((met.borders >> e & 1) == 0) continue;
+        const Stencil border = along_border(met, e);
+        if (faces.lies_along(border, faces.of(border), values, value)) return border;
+    }
+    return met;
+}
+
+}  // namespace ravel

@@ -1,0 +1,113 @@
+"""Round faces of a writer that tosses coins."""
+
+import random
+
+from coin_stream import coin, varint, zigzag
+from conventions import clamp, cross, dot, length, minus, plus, times
+from rounds import CYLINDER, SPHERE, TORUS, RoundFace, RoundFaces
+
+
+class CoinRoundFaces(RoundFaces):
+    """Faces that are decided on when the first three points are asked about, so that some go through these."""
+
+    def __init__(self):
+        self.round_slack = random.choice((0, 0, 0, 0, 1, 2, 3, 5, 8, 12, 53))
+        super().__init__([], self.round_slack)
+        self.count = random.choice((1, 1, 1, 2, 3, 7, 16))
+        self.fields = b""
+
+    def under(self, points):
+        self.decide(points)
+        return super().under(points)
+
+    def decide(self, points):
+        while len(self.faces) < self.count:
+            fields = (face_through(points) if points and coin(0.6) else None) or face_by_chance()
+            self.fields += bytes_of(*fields)
+            self.faces.append(RoundFace(*fields))
+
+    def bytes(self):
+        """8.1: the fields from `round_count` to `ring`."""
+        self.decide(None)
+        return bytes([self.count, self.round_slack]) + self.fields
+
+
+def bytes_of(kind, centre, axis, radius, ring):
+    out = bytes([kind]) + b"".join(varint(zigzag(x)) for x in centre)
+    if kind != SPHERE:
+        out += b"".join(varint(zigzag(x)) for x in axis)
+    return out + varint(radius) + (varint(ring) if kind == TORUS else b"")
+
+
+def axis_by_chance():
+    most = random.choice((1, 1, 3, 1000, 2**51))
+    if coin(0.4):
+        axis = [0, 0, 0]
+        axis[random.randrange(3)] = random.choice((-most, most))
+        return axis
+    return [random.randint(-most, most) for _ in range(3)]
+
+
+def face_by_chance():
+    """Often without an axis, radius or ring; or through about 0."""
+    most = random.choice((0, 100, 1000, 10**5, 2**40, 2**58))
+    kind = random.choice((SPHERE, CYLINDER, TORUS))
+    centre = [random.choice((0, -most, most, random.randint(-most, most))) for _ in range(3)]
+    axis = [0, 0, 0] if kind == SPHERE or coin(0.3) else axis_by_chance()
+    far = min(int(length(tuple(float(x) for x in centre))), 2**58)
+    ring = random.choice((0, far, random.randint(0, most))) if kind == TORUS else 0
+    return kind, centre, axis, random.choice((0, far, abs(far - ring), random.randint(0, most))), ring
+
+
+def face_through(points):
+    """A face that three points lie on; None where there is none of the kind that the coins want."""
+    kind = random.choice((SPHERE, CYLINDER, TORUS))
+    axis = [0, 0, 0] if kind == SPHERE else axis_by_chance()
+    A = RoundFace(CYLINDER, (0, 0, 0), axis, 0, 0).A
+    if kind == TORUS:
+        return torus_through(points, axis, A)
+    # along the axis, all of a cylinder is one circle
+    points = [minus(p, times(A, dot(p, A))) for p in points]
+    middle, up = circle(points)
+    if not middle:
+        return None
+    beside = random.choice((0, 0, 1, -0.5, 10)) if kind == SPHERE else random.choice((0, 5))
+    middle = plus(middle, times(up if kind == SPHERE else A, beside * length(minus(points[0], middle))))
+    return face(kind, middle, axis, distance(points[0], middle, A), 0.0)
+
+
+def torus_through(points, axis, A):
+    """The tube of any torus about an axis is a circle in the half plane beside that."""
+    most = random.choice((0, 10, 100, 1000))
+    start = tuple(float(random.randint(-most, most)) for _ in range(3))
+    flat = [(distance(p, start, A), dot(minus(p, start), A), 0.0) for p in points]
+    middle, _ = circle(flat)
+    if not middle or middle[0] < 0:
+        return None
+    centre = plus(start, times(A, middle[1]))
+    return face(TORUS, centre, axis, length(minus(flat[0], middle)), middle[0])
+
+
+def distance(p, middle, A):
+    """Of p from the line through the middle."""
+    q = minus(p, middle)
+    return length(minus(q, times(A, dot(q, A))))
+
+
+def circle(p):
+    """The middle of the circle through three points and the way out of its plane; None twice where they are on a line."""
+    u = minus(p[1], p[0])
+    v = minus(p[2], p[0])
+    n = cross(u, v)
+    square = dot(n, n)
+    if not square > 0:
+        return None, None
+    to = plus(times(cross(v, n), dot(u, u)), times(cross(n, u), dot(v, v)))
+    return plus(p[0], times(to, 1 / (2 * square))), times(n, 1 / length(n))
+
+
+def face(kind, middle, axis, radius, ring):
+    """In sixteenths, as far as there is place for them."""
+    middle, (radius, ring) = ([round(clamp(16 * x, -(2.0**58), 2.0**58)) for x in those]
+                              for those in (middle, (radius, ring)))
+    return kind, middle, axis, radius, ring
