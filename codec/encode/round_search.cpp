@@ -48,7 +48,7 @@ Border border_of(const WalkRecord& record, const std::vector<Point3>& places,
         border.first[v + 1] += border.first[v];
     }
     border.size = length(minus(high, low));
-    constexpr std::size_t kSome = 8192;
+    constexpr std::size_t kSome = 2048;
     border.stride = border.vertices.size() / kSome + 1;
     for (std::size_t i = 0; i < border.vertices.size(); i += border.stride)
         border.some.push_back(border.vertices[i]);
@@ -82,7 +82,7 @@ class Search {
             const Triangle& start = border_.triangles[(random >> 33) % border_.triangles.size()];
             if (taken_[start[0]] && taken_[start[1]] && taken_[start[2]]) continue;
             Found best;
-            for (const std::size_t vertices : {12u, 40u}) try_patch(start, vertices, best);
+            for (const std::size_t vertices : {std::size_t{12}, kOfTorus}) try_patch(start, vertices, best);
             if (!is_worth(best)) continue;
             const RoundShape shape = shape_of(best.face);
             for (const Id v : border_.vertices)
@@ -108,7 +108,7 @@ class Search {
     }
 
   private:
-    static constexpr std::size_t kSeeds = 48, kHopeless = 16;
+    static constexpr std::size_t kSeeds = 48, kHopeless = 16, kOfTorus = 40;
 
     bool holds(const RoundShape& shape, const Point3& p) const {
         return std::abs(outside_of(shape, p).distance) < near_;
@@ -164,21 +164,24 @@ class Search {
         const Patch patch = patch_around(start, vertices, mean);
         if (patch.points.empty()) return;
         for (RoundShape shape : rounds_near(patch)) {
+            // Twelve points do not tell a torus.
+            if (shape.kind == RoundKind::torus && vertices < kOfTorus) continue;
             if (!(refine(shape, patch.points, patch.size, 3) < 64 * near_) ||
-                !(refine(shape, patch.points, patch.size, 16) < near_))
+                !(refine(shape, patch.points, patch.size, 16) < near_) ||
+                !(shape.radius > 0 && shape.ring >= 0) || !spread_out(shape, mean, patch))
                 continue;
-            spread_out(shape, mean, patch.size);
             const Found found = rounded(shape, mean);
             // What is simpler is surer.
             if (found.vertices > best.vertices + best.vertices / 16) best = found;
         }
     }
 
-    // Refits the shape to what lies on it while that becomes more.
-    void spread_out(RoundShape& shape, const Point3& mean, double size) const {
+    // Refits the shape to what lies on it while that becomes more. No: it is not much.
+    bool spread_out(RoundShape& shape, const Point3& mean, const Patch& patch) const {
         constexpr int kRounds = 8;
         constexpr std::size_t kPoints = 256;
         std::size_t before = 0;
+        double size = patch.size;
         for (int round = 0; round < kRounds; ++round) {
             const double reach = round < 3 ? 4 * near_ : near_;
             std::vector<Point3> on;
@@ -186,7 +189,10 @@ class Search {
                 const Point3 p = minus(places_[v], mean);
                 if (std::abs(outside_of(shape, p).distance) < reach) on.push_back(p);
             }
-            if (on.size() < kFewest || (round > 3 && on.size() <= before)) return;
+            // A piece that is round by chance has little beside it.
+            if (on.size() < kFewest || on.size() * border_.stride < 2 * patch.points.size())
+                return false;
+            if (round > 3 && on.size() <= before) return true;
             before = on.size();
             const std::size_t stride = on.size() / kPoints + 1;
             std::vector<Point3> some;
@@ -194,6 +200,7 @@ class Search {
             for (const Point3& p : some) size = std::max(size, length(p));
             refine(shape, some, size, 8);
         }
+        return true;
     }
 
     // As it is stored; no vertices if it can't be.

@@ -183,7 +183,9 @@ def make_file(seed, rides=False):
     # precedents are found where many cells are alike
     has_precedents = not head.tets and coin(0.6)
     alike = has_precedents and coin(0.7)
-    H = 256 if alike else random.choice((64, 256) if edge_points else (16, 64, 256))
+    # many borders, and new vertices beside them
+    along = p.has_along and coin(0.7)
+    H = 256 if alike else random.choice((64, 256) if edge_points or along else (16, 64, 256))
     # N and H depend on the points, so those are decided on before the walk
     points = H - random.choice((0, 0, 1, H // 3)) if p.level_bits else H
     block = SimpleNamespace(
@@ -202,9 +204,8 @@ def make_file(seed, rides=False):
     else:
         block.uniform_degree = random.choice((0, 0, 0, 0, 2, 3, 4, 5, 11))
     chances = {"kLed": random.choice((0.2, 0.6, 0.9, -1)), "kPrecedent": random.choice((0.5, 0.8, 0.95, -1))}
-    if p.has_along and coin(0.7):
-        # many borders and new vertices beside them
-        chances.update(kBorder=random.choice((0.15, 0.3)), kLowest=0.3, kNew=0.8, kLed=0.2)
+    if along:
+        chances.update(kBorder=random.choice((0.15, 0.3)), kLowest=0.3, kNew=0.8, kNear=0, kLed=0.2)
     stream = CoinStream("tet" if head.tets else "surface", chances)
     if alike:
         stream.moods = (0.01, 0.99)
@@ -218,7 +219,8 @@ def make_file(seed, rides=False):
     if block.has_precedents:
         stream.precedents = CoinPrecedents(stream, block)
     # each tet brings some edges, whose points are to fit into H too
-    walk.most_cells = random.choice((20, 60, 160) if alike else (1, 5, H // 8 if edge_points else 5 + H // 4))
+    many = H // 8 if edge_points else 5 + H // 4
+    walk.most_cells = random.choice((20, 60, 160) if alike else (many,) if along else (1, 5, many))
     try:
         walk.run()
         block.vertices = walk.vertex_count
