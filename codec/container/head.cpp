@@ -83,8 +83,6 @@ double kept_error(double error, double bound) {
 
 const char* name_of(SectionId id) {
     switch (id) {
-        case SectionId::end:
-            return "end";
         case SectionId::head:
             return "head";
         case SectionId::block:
@@ -101,6 +99,8 @@ const char* name_of(SectionId id) {
             return "names";
         case SectionId::order:
             return "order";
+        case SectionId::count:
+            break;
     }
     return "unknown";
 }
@@ -196,6 +196,19 @@ Result<Head> read_head(ByteReader& in) {
     return head;
 }
 
+namespace {
+
+// Counts that are told only where they are not as usual.
+constexpr std::array<Index BlockHead::*, 4> kSeldomTold{
+    &BlockHead::unused_points, &BlockHead::companions, &BlockHead::components, &BlockHead::links};
+BlockHead usual_counts(Index cells) {
+    BlockHead usual;
+    usual.components = cells > 0 ? 1 : 0;
+    return usual;
+}
+
+}  // namespace
+
 Bytes write_block_head(const BlockHead& b, CellKind kind) {
     ByteWriter out;
     out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) |
@@ -209,10 +222,13 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     }
     out.varint(b.vertices);
     if (b.has_copies) out.varint(b.points);
-    out.varint(b.unused_points);
-    out.varint(b.companions);
-    out.varint(b.components);
-    out.varint(b.links);
+    const BlockHead usual = usual_counts(b.cells);
+    unsigned told = 0;
+    for (std::size_t i = 0; i < kSeldomTold.size(); ++i)
+        told |= unsigned{b.*kSeldomTold[i] != usual.*kSeldomTold[i]} << i;
+    out.u8(static_cast<std::uint8_t>(told));
+    for (std::size_t i = 0; i < kSeldomTold.size(); ++i)
+        if ((told >> i & 1) != 0) out.varint(b.*kSeldomTold[i]);
     if (kind == CellKind::tet) {
         out.varint(b.grid_side);
         for (const std::uint32_t n : b.grid_count) out.varint(n);
@@ -249,14 +265,14 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     }
     b.vertices = in.varint();
     b.points = b.has_copies ? in.varint() : b.vertices;
-    b.unused_points = in.varint();
-    b.companions = in.varint();
-    b.components = in.varint();
-    b.links = in.varint();
+    const BlockHead usual = usual_counts(b.cells);
+    const unsigned told = in.u8();
+    for (std::size_t i = 0; i < kSeldomTold.size(); ++i)
+        b.*kSeldomTold[i] = (told >> i & 1) != 0 ? in.varint() : usual.*kSeldomTold[i];
     if (!in.ok()) return bad("the block's head ends too early");
     if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices ||
         b.unused_points >= kMost || b.vertices + b.unused_points >= kMost ||
-        b.components > b.cells || b.links > b.corners)
+        b.components > b.cells || b.links > b.corners || told >> kSeldomTold.size() != 0)
         return bad("the counts of a block contradict each other");
     if (kind == CellKind::tet) {
         b.grid_side = in.varint();

@@ -4,24 +4,26 @@
 
 namespace ravel {
 
-void write_section(ByteWriter& out, SectionId id, std::span<const std::byte> raw,
+void write_start(ByteWriter& out, SectionMask mask) {
+    out.raw(kMagic);
+    out.u8(kVersion);
+    out.u8(mask);
+}
+
+void write_section(ByteWriter& out, std::span<const std::byte> raw,
                    std::span<const std::byte> packed) {
     const bool use_packed = !packed.empty() && packed.size() + 2 < raw.size();
     const auto stored = use_packed ? packed : raw;
-    out.u8(static_cast<std::uint8_t>(id));
     out.varint(std::uint64_t{stored.size()} << 1 | (use_packed ? 1 : 0));
     if (use_packed) out.varint(raw.size());
     out.raw(stored);
 }
 
-Result<Section> read_section(ByteReader& in) {
+Result<Section> read_section(ByteReader& in, SectionId id) {
     Section section;
+    section.id = id;
     const auto start = in.at();
-    const std::uint8_t id = in.u8();
-    if (!in.ok())
-        return Error{Code::truncated, start, "the file ends where a section should begin"};
-    section.id = static_cast<SectionId>(id);
-    if (section.id == SectionId::end) return section;
+    const char* const where = in.left() == 0 ? "before" : "inside";
     const std::uint64_t size = in.varint();
     section.packed = (size & 1) != 0;
     section.raw_size = section.packed ? in.varint() : size >> 1;
@@ -29,12 +31,11 @@ Result<Section> read_section(ByteReader& in) {
     section.bytes = in.raw(size >> 1);
     if (!in.ok())
         return Error{Code::truncated, start,
-                     std::string("the file ends inside section \"") + name_of(section.id) + "\""};
+                     std::string("the file ends ") + where + " section \"" + name_of(id) + "\""};
     return section;
 }
 
 void write_end(ByteWriter& out) {
-    out.u8(static_cast<std::uint8_t>(SectionId::end));
     out.u32(crc32c(out.bytes()));
 }
 

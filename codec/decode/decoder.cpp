@@ -23,10 +23,6 @@
 namespace ravel {
 namespace {
 
-const Section& section_of(const FileSections& file, SectionId id) {
-    return file.sections[static_cast<std::size_t>(id)];
-}
-
 Status corrupt(std::uint64_t at, const char* why) {
     return Error{Code::corrupt, at, why};
 }
@@ -90,7 +86,7 @@ Status run_walk(DecodeDriver& driver, const WalkLimits& limits, std::uint64_t at
 Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes& position_bytes,
                        DecodedWalk& out, std::vector<Stencil>& stencils, EdgePoints& edges) {
     const BlockHead& block = file.block;
-    const Section& section = section_of(file, SectionId::positions);
+    const Section& section = file[SectionId::positions];
     ByteReader in(position_bytes, section.at);
     Result<PositionFormat> format = read_position_format(in, file.head);
     if (!format) return format.error();
@@ -111,7 +107,7 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     const std::uint64_t flags =
         (std::uint64_t{codes.size()} + position_bytes.size() + 16) * 8 * 1386;
     limits.plausible = static_cast<std::size_t>(std::min<std::uint64_t>(flags, PTRDIFF_MAX));
-    const std::uint64_t at = section_of(file, SectionId::connectivity).at;
+    const std::uint64_t at = file[SectionId::connectivity].at;
     if (block.cells > limits.plausible || block.vertices > limits.plausible ||
         block.corners / 3 > limits.plausible)
         return corrupt(at, "the codes of the strip can't tell of so many cells");
@@ -168,8 +164,8 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
 template <class Read>
 Status decode_section(const FileSections& file, SectionId id, std::uint64_t& budget,
                       std::uint64_t growth, const Read& read) {
-    const Section& section = section_of(file, id);
-    if (section.id == SectionId::end) return Done{};
+    if (!file.has(id)) return Done{};
+    const Section& section = file[id];
     Result<Bytes> raw = unpack_section(section, budget, growth);
     if (!raw) return raw.error();
     ByteReader in(*raw, section.at);
@@ -182,7 +178,7 @@ Status charge_indices(const FileSections& file, const Mesh& mesh, std::uint64_t&
     for (const AttributeHead& a : file.head.attributes) {
         const Index elements = a.indexed ? element_count(mesh, a.place) : 0;
         if (elements > budget / per_index)
-            return Error{Code::limit_exceeded, section_of(file, SectionId::attributes).at,
+            return Error{Code::limit_exceeded, file[SectionId::attributes].at,
                          "the attributes need more memory than allowed"};
         budget -= elements * per_index;
     }
@@ -197,13 +193,13 @@ Status read_walk(std::span<const std::byte> bytes, const DecodeOptions& options,
     const FileSections& file = *opened;
     const std::uint64_t need = memory_of(file, options.steps);
     if (need > budget)
-        return Error{Code::limit_exceeded, section_of(file, SectionId::block).at,
+        return Error{Code::limit_exceeded, file[SectionId::block].at,
                      std::string("the mesh needs up to ") + std::to_string(need) +
                          " bytes; the limit is " + std::to_string(budget)};
     budget -= need;
-    Result<Bytes> codes = unpack_section(section_of(file, SectionId::connectivity), budget);
+    Result<Bytes> codes = unpack_section(file[SectionId::connectivity], budget);
     if (!codes) return codes.error();
-    Result<Bytes> positions = unpack_section(section_of(file, SectionId::positions), budget);
+    Result<Bytes> positions = unpack_section(file[SectionId::positions], budget);
     if (!positions) return positions.error();
 
     std::vector<Stencil> stencils;
@@ -213,10 +209,8 @@ Status read_walk(std::span<const std::byte> bytes, const DecodeOptions& options,
     Status status = decode_geometry(file, *codes, *positions, out, stencils, edges);
     if (!status) return status;
     Mesh& mesh = out.mesh;
-    if ((file.block.companions > 0) !=
-            (section_of(file, SectionId::companions).id != SectionId::end) ||
-        file.head.attributes.empty() !=
-            (section_of(file, SectionId::attributes).id == SectionId::end))
+    if ((file.block.companions > 0) != file.has(SectionId::companions) ||
+        file.head.attributes.empty() == file.has(SectionId::attributes))
         return corrupt(0, "the heads and the sections contradict each other");
     // Growth: nodes are a byte in the file and twice eight in memory, while the order is restored;
     // a block, a name or a note is a few dozen times its shortest form.

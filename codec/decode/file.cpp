@@ -25,7 +25,7 @@ namespace {
 
 Status read_heads(FileSections& file, std::uint64_t& budget) {
     for (const SectionId id : {SectionId::head, SectionId::block}) {
-        const Section& section = file.sections[static_cast<std::size_t>(id)];
+        const Section& section = file[id];
         // Four bytes can ask for an attribute, which is as much here and later in the mesh.
         Result<Bytes> raw = unpack_section(section, budget, 64);
         if (!raw) return raw.error();
@@ -59,39 +59,23 @@ Result<FileSections> open_file(std::span<const std::byte> bytes, std::uint64_t& 
                      std::string("format version ") + std::to_string(version) +
                          "; this program reads version " + std::to_string(kVersion)};
     FileSections file;
+    const std::uint64_t mask_at = in.at();
+    file.mask = in.u8();
+    if (!in.ok()) return Error{Code::truncated, mask_at, "the file ends before its sections"};
     file.header_bytes = bytes.size();
-    std::uint8_t last = 0;
-    Status placed = Done{};
-    for (;;) {
-        const std::uint64_t start = in.at();
-        Result<Section> section = read_section(in);
+    for (std::size_t i = 0; i < kSections; ++i) {
+        const auto id = static_cast<SectionId>(i);
+        if (!file.has(id)) continue;
+        Result<Section> section = read_section(in, id);
         if (!section) return section.error();
-        if (section->id == SectionId::end) break;
-        const auto id = static_cast<std::uint8_t>(section->id);
-        if (placed && id > kLastSection)
-            placed = Error{
-                Code::corrupt, start,
-                std::string("section ") + std::to_string(id) + " is not known to this version"};
-        else if (placed && id <= last)
-            placed =
-                Error{Code::corrupt, start,
-                      std::string("section \"") + name_of(section->id) + "\" is out of its place"};
-        if (!placed) continue;
-        last = id;
-        file.sections[id] = *section;
-        if (section->id > SectionId::block) file.header_bytes -= section->bytes.size();
+        file.sections[i] = *section;
+        if (id > SectionId::block) file.header_bytes -= section->bytes.size();
     }
     if (Status status = check_end(bytes, in.at()); !status) return status.error();
-    if (!placed) return placed.error();
-    for (const SectionId id :
-         {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
-        if (file.sections[static_cast<std::size_t>(id)].id == SectionId::end)
-            return Error{Code::corrupt, bytes.size(),
-                         std::string("section \"") + name_of(id) + "\" is missing"};
+    if (file.mask > kAllSections)
+        return Error{Code::corrupt, mask_at, "sections that are not known to this version"};
     if (Status status = read_heads(file, budget); !status) return status.error();
-    const bool has_order =
-        file.sections[static_cast<std::size_t>(SectionId::order)].id != SectionId::end;
-    if (has_order != file.head.keeps_order)
+    if (file.has(SectionId::order) != file.head.keeps_order)
         return Error{Code::corrupt, bytes.size(),
                      "the head and the section \"order\" contradict each other"};
     return file;
@@ -123,7 +107,7 @@ Result<FileInfo> inspect(std::span<const std::byte> bytes) {
     info.file_bytes = bytes.size();
     info.header_bytes = file->header_bytes;
     for (const Section& section : file->sections)
-        if (section.id > SectionId::block)
+        if (section.id > SectionId::block && section.id < SectionId::count)
             info.sections.push_back({name_of(section.id), section.bytes.size(), section.raw_size});
     for (const AttributeHead& a : head.attributes)
         info.attributes.push_back({a.name, a.place, a.scalar, a.arity, a.bound, a.error});

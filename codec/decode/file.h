@@ -13,8 +13,12 @@ namespace ravel {
 struct FileSections {
     Head head;
     BlockHead block;
-    std::array<Section, kLastSection + 1> sections;  // id `end` where the file has none
-    std::uint64_t header_bytes = 0;                  // all that is not a data section's bytes
+    SectionMask mask = 0;
+    std::array<Section, kSections> sections;
+    std::uint64_t header_bytes = 0;  // all that is not a data section's bytes
+
+    bool has(SectionId id) const { return has_section(mask, id); }
+    const Section& operator[](SectionId id) const { return sections[static_cast<std::size_t>(id)]; }
 };
 
 // Reads and checks the container and both heads; data sections are found, not unpacked.

@@ -180,25 +180,25 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
         choose_connectivity(codes, std::move(told), places.packed.size(), options.level, block);
     encoded.connectivity_ideal_bytes = connectivity.ideal_bits / 8;
 
+    const bool has_names = !mesh.tag_names.empty() || !mesh.notes.empty();
+    const auto bit = [](bool there, SectionId id) { return there ? unsigned{bit_of(id)} : 0u; };
     ByteWriter out;
-    out.raw(kMagic);
-    out.u8(kVersion);
-    const auto section = [&](SectionId id, const SectionBytes& bytes) {
-        write_section(out, id, bytes.raw, bytes.packed);
+    write_start(out, static_cast<SectionMask>(bit(!mesh.companions.empty(), SectionId::companions) |
+                                              bit(!mesh.attributes.empty(), SectionId::attributes) |
+                                              bit(has_names, SectionId::names) |
+                                              bit(options.keep_order, SectionId::order)));
+    const auto section = [&](const SectionBytes& bytes) {
+        write_section(out, bytes.raw, bytes.packed);
     };
-    const auto packed_section = [&](SectionId id, Bytes raw) {
-        section(id, packed(std::move(raw), options.level));
-    };
-    packed_section(SectionId::head, write_head(head_of(mesh, *plan, grids, options)));
-    packed_section(SectionId::block, write_block_head(block, mesh.kind));
-    packed_section(SectionId::connectivity, std::move(connectivity.bytes));
-    section(SectionId::positions, places);
-    if (!mesh.companions.empty())
-        packed_section(SectionId::companions, std::move(companions.section));
-    if (!mesh.attributes.empty()) section(SectionId::attributes, attributes);
-    if (!mesh.tag_names.empty() || !mesh.notes.empty())
-        packed_section(SectionId::names, write_names(mesh));
-    if (options.keep_order) section(SectionId::order, kept_order);
+    const auto packed_section = [&](Bytes raw) { section(packed(std::move(raw), options.level)); };
+    packed_section(write_head(head_of(mesh, *plan, grids, options)));
+    packed_section(write_block_head(block, mesh.kind));
+    packed_section(std::move(connectivity.bytes));
+    section(places);
+    if (!mesh.companions.empty()) packed_section(std::move(companions.section));
+    if (!mesh.attributes.empty()) section(attributes);
+    if (has_names) packed_section(write_names(mesh));
+    if (options.keep_order) section(kept_order);
     write_end(out);
     encoded.bytes = out.take();
     return encoded;

@@ -45,6 +45,18 @@ class BorderCodes {
         return false;
     }
 
+    // Would a round face, or a plane to a unit, tell a coordinate of it? For the writer.
+    bool tells(const Stencil& tet, const std::vector<Point3>& values, const Point3& truth) const {
+        for (std::size_t e = 0; e < 3; ++e) {
+            if ((tet.borders >> e & 1) == 0) continue;
+            const Stencil border = along_border(tet, e);
+            const Id face = faces_.of(border);
+            if (face == kNone ? lies_in_plane(border, values, truth) : faces_.holds(face, truth))
+                return true;
+        }
+        return false;
+    }
+
     // Of a vertex that does: its stencil,
     const Stencil& stencil() const { return stencil_; }
     // its guess, moved onto the round face if there is one; that chooses the axes,

@@ -64,14 +64,28 @@ class BorderPlane {
     std::uint32_t opening_ = 0;
 };
 
-// Does a vertex lie near the plane, beside the length of the edge? What a writer goes by.
-inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
-                       const Point3& value) {
+// How far a vertex lies off the plane, times the normal's length.
+struct OffPlane {
+    double distance = 0, normal_square = 0, edge_square = 0;
+};
+inline OffPlane off_plane(const Stencil& border, const std::vector<Point3>& values,
+                          const Point3& value) {
     const Point3& foot = values[border.at[0]];
     const Point3 edge = minus(values[border.at[1]], foot);
     const Point3 normal = cross(edge, minus(values[border.at[2]], foot));
-    const double d = dot(minus(value, foot), normal);
-    return 16 * d * d < dot(edge, edge) * dot(normal, normal);
+    return {dot(minus(value, foot), normal), dot(normal, normal), dot(edge, edge)};
+}
+// Does it lie near the plane, beside the length of the edge? What a writer goes by.
+inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
+                       const Point3& value) {
+    const OffPlane off = off_plane(border, values, value);
+    return 16 * off.distance * off.distance < off.edge_square * off.normal_square;
+}
+// Does it lie less than a unit off?
+inline bool lies_in_plane(const Stencil& border, const std::vector<Point3>& values,
+                          const Point3& value) {
+    const OffPlane off = off_plane(border, values, value);
+    return off.distance * off.distance < off.normal_square;
 }
 
 }  // namespace ravel

@@ -75,12 +75,13 @@ class PositionCodes {
         if (leader != kNone) {
             follow_sizes_.begin(stencil);
             found = find_follow(stencil, leader, g);
-            told = follows = code_followed(found, truth, whole);
+            told = follows = code_followed(found, stencil, truth, whole);
         }
         if (echoes_ && !told && !edge) {
             found = echoes_->find(g, values_, exact_);
             if (found.vertex != kNone)
-                told = echoes_->is_told(found, Coder::kWrites && is_better(found, truth, whole, 2));
+                told = echoes_->is_told(
+                    found, Coder::kWrites && is_better(found, stencil, truth, whole, kEchoPrice));
             echoes_->looked(told);
             stays = echoes_->stays(found);
         }
@@ -232,6 +233,9 @@ class PositionCodes {
     const std::vector<Escape>& escapes() const { return escapes_; }
 
   private:
+    // In half bits, to the writer. Who follows as a rule is followed further.
+    static constexpr int kEchoPrice = 2, kFollowPrice = -2;
+
     Id next_vertex() const { return static_cast<Id>(values_.size()); }
 
     // `stays`: where an earlier vertex stands, which is enough for who looks for one.
@@ -277,7 +281,6 @@ class PositionCodes {
         return [this, axis, part](std::uint32_t size) { return sizes_.sign(size, axis, part); };
     }
 
-    static int width_of(std::int64_t r) { return static_cast<int>(std::bit_width(magnitude(r))); }
     // To the last bit; of long decimals several have the same units.
     bool is(const Number& truth, double units, double exact) const {
         if (truth.escaped) return false;
@@ -310,10 +313,11 @@ class PositionCodes {
         }
         return found;
     }
-    bool code_followed(const Earlier& found, const Position& truth,
+    bool code_followed(const Earlier& found, const Stencil& stencil, const Position& truth,
                        const std::array<std::int64_t, 3>& whole) {
         bool better = false;
-        if constexpr (Coder::kWrites) better = is_better(found, truth, whole, 1);
+        if constexpr (Coder::kWrites)
+            better = is_better(found, stencil, truth, whole, kFollowPrice);
         better = coder_.flag(
             ResidualContexts::follow.at(followed_, found.copies, follow_sizes_.far()), better);
         followed_ = (followed_ << 1 | (better ? 1u : 0u)) & 7;
@@ -342,17 +346,33 @@ class PositionCodes {
         return same;
     }
 
-    // The writer takes what an earlier vertex says where its residuals are smaller than the
-    // guess's.
-    bool is_better(const Earlier& found, const Position& truth,
+    // About what a residual takes, in half bits.
+    static int cost_of(std::int64_t r) {
+        return r == 0 ? 0 : 2 * static_cast<int>(std::bit_width(magnitude(r))) + 1;
+    }
+    // The writer takes what an earlier vertex says where its residuals take less than those of the
+    // guess, of which what a border tells does not count, nor much what levels tell.
+    bool is_better(const Earlier& found, const Stencil& stencil, const Position& truth,
                    const std::array<std::int64_t, 3>& whole, int price) const {
-        int by_echo = price, by_guess = 0;
+        constexpr int kLevel = 4;
+        const Point3 value = units_of(format_.numbers, truth);
+        int by_earlier = price, by_guess = 0, most = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            by_echo += 2 * width_of(truth[k].whole - found.whole[k]);
-            by_guess += 2 * width_of(truth[k].whole - whole[k]);
-            if (found.copies) by_guess += rest_digits(format_.numbers, truth[k].whole);
+            by_earlier += cost_of(truth[k].whole - found.whole[k]);
+            int axis = cost_of(truth[k].whole - whole[k]);
+            if (found.copies) axis += rest_digits(format_.numbers, truth[k].whole);
+            if (axis > kLevel && format_.has_levels && is_level(stencil, k, value[k]))
+                axis = kLevel;
+            by_guess += axis;
+            most = std::max(most, axis);
         }
-        return by_echo < by_guess;
+        if (border_ && border_->tells(stencil, values_, value)) by_guess -= most;
+        return by_earlier < by_guess;
+    }
+    // Does one of the nearest neighbours have that coordinate?
+    bool is_level(const Stencil& stencil, std::size_t axis, double value) const {
+        return std::any_of(stencil.at.begin(), stencil.at.begin() + 3,
+                           [&](Id v) { return v != kNone && values_[v][axis] == value; });
     }
 
     // Returns by how much the guess was off.

@@ -22,7 +22,8 @@ class CoinRoundFaces(RoundFaces):
 
     def decide(self, points):
         while len(self.faces) < self.count:
-            fields = (face_through(points) if points and coin(0.6) else None) or face_by_chance()
+            fields = face_through(points) if points and coin(0.6) else None
+            fields = fields or (face_at(points[0]) if points and coin(0.3) else face_by_chance())
             self.fields += bytes_of(*fields)
             self.faces.append(RoundFace(*fields))
 
@@ -59,25 +60,47 @@ def face_by_chance():
     return kind, centre, axis, random.choice((0, far, abs(far - ring), random.randint(0, most))), ring
 
 
+def face_at(p):
+    """Of no size or a small one: vertices lie on it where `round_slack` is large."""
+    kind = random.choice((SPHERE, CYLINDER, TORUS))
+    axis = [0, 0, 0] if kind == SPHERE or coin(0.3) else axis_by_chance()
+    return face(kind, p, axis, random.choice((0, 0, 3)), random.choice((0, 0, 3)) if kind == TORUS else 0)
+
+
 def face_through(points):
     """A face that three points lie on; None where there is none of the kind that the coins want."""
-    kind = random.choice((SPHERE, CYLINDER, TORUS))
-    axis = [0, 0, 0] if kind == SPHERE else axis_by_chance()
+    kind = random.choice((SPHERE, SPHERE, CYLINDER, CYLINDER, TORUS))
+    if kind == SPHERE:
+        return sphere_through(points)
+    axis = axis_by_chance()
     A = RoundFace(CYLINDER, (0, 0, 0), axis, 0, 0).A
     if kind == TORUS:
         return torus_through(points, axis, A)
     # along the axis, all of a cylinder is one circle
-    points = [minus(p, times(A, dot(p, A))) for p in points]
+    middle, _ = circle([minus(p, times(A, dot(p, A))) for p in points])
+    if not middle:
+        return None
+    beside = random.choice((0, 0, 30, -1000))
+    return face(CYLINDER, plus(middle, times(A, beside)), axis, distance(points[0], middle, A), 0.0)
+
+
+def sphere_through(points):
+    """Also as what a cylinder or a torus is without an axis, or a torus without a ring."""
     middle, up = circle(points)
     if not middle:
         return None
-    beside = random.choice((0, 0, 1, -0.5, 10)) if kind == SPHERE else random.choice((0, 5))
-    middle = plus(middle, times(up if kind == SPHERE else A, beside * length(minus(points[0], middle))))
-    return face(kind, middle, axis, distance(points[0], middle, A), 0.0)
+    beside = random.choice((0, 0, 1, -0.5, 10)) * length(minus(points[0], middle))
+    middle = plus(middle, times(up, beside))
+    radius = length(minus(points[0], middle))
+    kind = random.choice((SPHERE, SPHERE, SPHERE, CYLINDER, TORUS))
+    if kind == TORUS and coin(0.5):
+        return face(TORUS, middle, axis_by_chance(), radius, 0.0)
+    ring = radius * random.choice((0, 0.5, 1)) if kind == TORUS else 0.0
+    return face(kind, middle, [0, 0, 0], radius - ring, ring)
 
 
 def torus_through(points, axis, A):
-    """The tube of any torus about an axis is a circle in the half plane beside that."""
+    """Any torus about an axis is a circle in the half plane beside that."""
     most = random.choice((0, 10, 100, 1000))
     start = tuple(float(random.randint(-most, most)) for _ in range(3))
     flat = [(distance(p, start, A), dot(minus(p, start), A), 0.0) for p in points]
@@ -95,7 +118,7 @@ def distance(p, middle, A):
 
 
 def circle(p):
-    """The middle of the circle through three points and the way out of its plane; None twice where they are on a line."""
+    """The middle of the circle through three points and the way out of its plane; both None of points on a line."""
     u = minus(p[1], p[0])
     v = minus(p[2], p[0])
     n = cross(u, v)
@@ -108,6 +131,5 @@ def circle(p):
 
 def face(kind, middle, axis, radius, ring):
     """In sixteenths, as far as there is place for them."""
-    middle, (radius, ring) = ([round(clamp(16 * x, -(2.0**58), 2.0**58)) for x in those]
-                              for those in (middle, (radius, ring)))
-    return kind, middle, axis, radius, ring
+    *centre, radius, ring = (round(clamp(16 * x, -(2.0**58), 2.0**58)) for x in (*middle, radius, ring))
+    return kind, centre, axis, radius, ring

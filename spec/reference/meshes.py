@@ -19,6 +19,9 @@ def every():
         yield recipe, "vtk", ["", "--position-bits 14"]
     for recipe in TETS:
         yield recipe, "vtk", ["", "--position-bits 14"]
+    for recipe in ROUND_TETS:
+        yield recipe, "vtk", ["", "--position-bits 9", "--position-bits 14"]
+        yield recipe + ",double", "vtk", ["", "--float32", "--max-error 0.001"]
     yield "soup:polygons=120,seed=1", "vtk", ["", "--float32", "--lattice 2^-10", "--max-error 0.01"]
     yield "soup:polygons=120,seed=2,double", "vtk", ["", "--float32", "--lattice 2^-10", "--position-bits 1"]
     yield "soup:tets=120,seed=1", "vtk", ["", "--float32", "--lattice 2^-10", "--max-error 0.01"]
@@ -64,6 +67,14 @@ TETS = (
     "tets:ball=4",
     "tets:ball=4,double,shuffle",
     "tets:shell=5",
+)
+
+# borders on a sphere, on two, on a cylinder, on a torus
+ROUND_TETS = (
+    "tets:ball=3,slide=0.5",
+    "tets:shell=5,slide=0.5",
+    "tets:box=8x3x3,round,slide=0.5",
+    "tets:box=12x4x4,round,bend=120,slide=0.5",
 )
 
 

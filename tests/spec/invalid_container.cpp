@@ -27,20 +27,18 @@ std::vector<FilePart> parts_of(const Bytes& file) {
 template <class Write>
 Bytes with_stored(const Bytes& file, SectionId id, const Write& write) {
     ByteWriter out;
-    out.raw(kMagic);
-    out.u8(kVersion);
     const std::vector<FilePart> parts = parts_of(file);
+    write_start(out, mask_of(parts));
     for (const FilePart& part : parts) {
         if (part.id == id)
             write(out, part.raw);
         else
-            write_section(out, part.id, part.raw, {});
+            write_section(out, part.raw, {});
     }
     write_end(out);
     return out.take();
 }
-void store(ByteWriter& out, SectionId id, const Bytes& stored, std::uint64_t raw_size) {
-    out.u8(static_cast<std::uint8_t>(id));
+void store(ByteWriter& out, const Bytes& stored, std::uint64_t raw_size) {
     out.varint(std::uint64_t{stored.size()} << 1 | 1);
     out.varint(raw_size);
     out.raw(stored);
@@ -63,33 +61,23 @@ void InvalidMaker::container() {
     file.pop_back();
     add(3, "in-checksum", "the checksum is cut", file, Code::truncated);
     file.resize(file.size() - 4);
-    add(3, "no-end", "the byte 0 is missing", file, Code::truncated);
-    file.resize(file.size() - 2);
     add(3, "in-bytes", "the bytes of positions are cut", file, Code::truncated);
     file.resize(6);
-    add(3, "in-a-head", "the size of head is cut", file, Code::truncated);
+    add(3, "in-a-head", "the size of head is missing", file, Code::truncated);
+    file.resize(5);
+    add(3, "no-sections", "nothing behind the version", file, Code::truncated);
     file = quads();
     file[6] = byte(0x80);
     file[7] = byte(0);
     add(4, "size", "the size of head is 80 00", file, Code::truncated);
-    auto parts = parts_of(quads());
-    parts.push_back({static_cast<SectionId>(9), {}});
-    add(5, "id", "a section 9", put_together(parts));
-    parts.pop_back();
-    std::swap(parts[2], parts[3]);
-    add(6, "order", "positions before connectivity", put_together(parts));
-    std::swap(parts[2], parts[3]);
-    parts.push_back(parts[3]);
-    add(6, "twice", "positions twice", put_together(parts));
+    ByteWriter sixteen;
+    write_start(sixteen, kAllSections + 1);
+    for (const FilePart& part : parts_of(quads())) write_section(sixteen, part.raw, {});
+    write_end(sixteen);
+    add(5, "sections", "sections is 16", sixteen.take());
     file = quads();
     file.push_back(byte(0));
     add(7, "more", "a byte behind the checksum", file);
-    for (std::size_t k = 0; k < 4; ++k) {
-        parts = parts_of(quads());
-        const std::string name = std::string("no-") + name_of(parts[k].id);
-        parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
-        add(8, name.c_str(), "a section that every file has is missing", put_together(parts));
-    }
     add(9, "order", "an order that head does not announce",
         raw_changed("two-quads", SectionId::order, [](Bytes& raw) { raw.resize(6); }));
     add(9, "no-attributes", "attributes are announced and missing", [&] {
@@ -107,31 +95,31 @@ void InvalidMaker::container() {
     add(10, "bit", "a bit of positions is flipped", file, Code::checksum_mismatch);
     add(11, "no-frame", "block is packed, but no frame",
         with_stored(quads(), kBlock,
-                    [](ByteWriter& out, const Bytes& raw) { store(out, kBlock, raw, 8); }));
+                    [](ByteWriter& out, const Bytes& raw) { store(out, raw, 8); }));
     add(11, "two-frames", "block is packed as two frames",
         with_stored(quads(), kBlock, [](ByteWriter& out, const Bytes& raw) {
             Bytes twice = frame_of({raw.begin(), raw.begin() + 4});
             const Bytes more = frame_of({raw.begin() + 4, raw.end()});
             twice.insert(twice.end(), more.begin(), more.end());
-            store(out, kBlock, twice, raw.size());
+            store(out, twice, raw.size());
         }));
     add(11, "cut-frame", "the frame of block lacks its last byte",
         with_stored(quads(), kBlock, [](ByteWriter& out, const Bytes& raw) {
             Bytes frame = frame_of(raw);
             frame.pop_back();
-            store(out, kBlock, frame, raw.size());
+            store(out, frame, raw.size());
         }));
     add(12, "less", "the frame of block unpacks to less than raw_size",
         with_stored(quads(), kBlock, [](ByteWriter& out, const Bytes& raw) {
-            store(out, kBlock, frame_of(raw), raw.size() + 1);
+            store(out, frame_of(raw), raw.size() + 1);
         }));
     add(12, "more", "the frame of block unpacks to more than raw_size",
         with_stored(quads(), kBlock, [](ByteWriter& out, const Bytes& raw) {
-            store(out, kBlock, frame_of(raw), raw.size() - 1);
+            store(out, frame_of(raw), raw.size() - 1);
         }));
     add(12, "much-more", "raw_size is above what the bytes can hold",
         with_stored(quads(), kBlock, [](ByteWriter& out, const Bytes& raw) {
-            store(out, kBlock, frame_of(raw), std::uint64_t{131072} * (raw.size() / 4 + 8));
+            store(out, frame_of(raw), std::uint64_t{131072} * (raw.size() / 4 + 8));
         }));
     for (const SectionId id : {SectionId::head, SectionId::block})
         add(13, (std::string("more-") + name_of(id)).c_str(), "a byte too many",
@@ -139,7 +127,8 @@ void InvalidMaker::container() {
     add(13, "less", "block lacks its last byte",
         raw_changed("two-quads", kBlock, [](Bytes& raw) { raw.pop_back(); }));
     add(13, "varint", "links is 80 00", raw_changed("two-quads", kBlock, [](Bytes& raw) {
-            raw.back() = byte(0x80);
+            raw.back() = byte(8);
+            raw.push_back(byte(0x80));
             raw.push_back(byte(0));
         }));
 }

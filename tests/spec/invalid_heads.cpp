@@ -70,6 +70,8 @@ void InvalidMaker::counts() {
     const auto block = [&](int row, const char* name, const char* says, auto change) {
         add(row, name, says, block_changed("two-quads", kPolygon, change));
     };
+    add(6, "told", "told is 16",
+        raw_changed("two-quads", SectionId::block, [](Bytes& raw) { raw.back() = byte(16); }));
     block(20, "cells", "2^32 - 2 cells", [](BlockHead& b) { b.cells = 0xFFFFFFFE; });
     block(20, "vertices", "more vertices than corners",
           [](BlockHead& b) { b.vertices = b.points = 9; });

@@ -154,7 +154,7 @@ void InvalidMaker::positions() {
     // Of one face, but its count; with `has_along` or not.
     const auto round = [&](const char* name, const char* says, unsigned count, unsigned slack,
                            const RoundFace& face, unsigned flags = 2) {
-        add(59, name, says, raw_changed("box", SectionId::positions, [=](Bytes& raw) {
+        add(8, name, says, raw_changed("box", SectionId::positions, [=](Bytes& raw) {
                 ByteWriter out;
                 out.u8(static_cast<std::uint8_t>(flags));
                 out.varint(kHasRounds);

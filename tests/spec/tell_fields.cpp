@@ -57,7 +57,10 @@ void tell_block(Fields f, bool tets) {
     if (!tets && f.varint("uniform_degree") == 0) f.varint("corners");
     f.varint("vertices");
     if (flags & 4) f.varint("points");
-    for (const char* name : {"unused_points", "companions", "components", "links"}) f.varint(name);
+    const unsigned told = f.u8("told");
+    unsigned i = 0;
+    for (const char* name : {"unused_points", "companions", "components", "links"})
+        if ((told >> i++ & 1) != 0) f.varint(name);
     if (!tets) return;
     f.varint("grid_side");
     for (int axis = 0; axis < 3; ++axis) f.varint("grid_count");

@@ -16,23 +16,24 @@ Trace trace_of(std::span<const std::byte> file, const TraceLimits& limits) {
         out += "broken: " + why + "\n";
         return trace;
     };
-    out = "0  " + hex(file.subspan(0, 5)) + "  magic, version\n";
-    ByteReader in(file.subspan(5));
+    constexpr std::size_t kMaskAt = kMagic.size() + 1;
+    if (file.size() <= kMaskAt) return broken("the file ends before its sections");
+    const auto mask = static_cast<SectionMask>(file[kMaskAt]);
+    out = "0  " + hex(file.subspan(0, kMaskAt)) + "  magic, version\n" + std::to_string(kMaskAt) +
+          "  " + hex(file.subspan(kMaskAt, 1)) + "  sections\n";
+    ByteReader in(file.subspan(kMaskAt + 1));
     Head head;
     BlockHead block;
     PositionFormat format;
     Bytes connectivity, positions;
     std::size_t bits_at = 0;
-    for (;;) {
+    for (std::size_t i = 0; i < kSections; ++i) {
+        const auto id = static_cast<SectionId>(i);
+        if (!has_section(mask, id)) continue;
         const std::size_t at = file.size() - in.left();
-        const Result<Section> section = read_section(in);
+        const Result<Section> section = read_section(in, id);
         if (!section) return broken(section.error().detail);
         const std::size_t end = file.size() - in.left();
-        if (section->id == SectionId::end) {
-            out += std::to_string(at) + "  00  end\n" + std::to_string(end) + "  " +
-                   hex(file.subspan(end)) + "  checksum\n";
-            break;
-        }
         out += std::to_string(at) + "  " + hex(file.subspan(at, end - at - section->bytes.size())) +
                "  section " + name_of(section->id) + ", " + std::to_string(section->bytes.size()) +
                " bytes" +

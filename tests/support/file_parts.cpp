@@ -8,13 +8,15 @@
 namespace ravel::test {
 
 std::optional<std::vector<FilePart>> take_apart(std::span<const std::byte> file) {
-    if (file.size() < kMagic.size() + 1) return {};
+    if (file.size() < kMagic.size() + 2) return {};
     ByteReader in(file.subspan(kMagic.size() + 1));
+    const SectionMask mask = in.u8();
     std::vector<FilePart> parts;
-    for (;;) {
-        const Result<Section> section = read_section(in);
+    for (std::size_t i = 0; i < kSections; ++i) {
+        const auto id = static_cast<SectionId>(i);
+        if (!has_section(mask, id)) continue;
+        const Result<Section> section = read_section(in, id);
         if (!section) return {};
-        if (section->id == SectionId::end) return parts;
         FilePart part{section->id, {}};
         if (section->packed) {
             if (section->raw_size > std::uint64_t{16} << 20) return {};
@@ -26,14 +28,20 @@ std::optional<std::vector<FilePart>> take_apart(std::span<const std::byte> file)
         }
         parts.push_back(std::move(part));
     }
+    return parts;
+}
+
+SectionMask mask_of(const std::vector<FilePart>& parts) {
+    SectionMask mask = 0;
+    for (const FilePart& part : parts) mask |= bit_of(part.id);
+    return mask;
 }
 
 Bytes put_together(const std::vector<FilePart>& parts, int level) {
     ByteWriter out;
-    out.raw(kMagic);
-    out.u8(kVersion);
+    write_start(out, mask_of(parts));
     for (const FilePart& part : parts)
-        write_section(out, part.id, part.raw, level > 0 ? pack(part.raw, level) : Bytes{});
+        write_section(out, part.raw, level > 0 ? pack(part.raw, level) : Bytes{});
     write_end(out);
     return out.take();
 }

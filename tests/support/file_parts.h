@@ -14,7 +14,7 @@
 namespace ravel::test {
 
 struct FilePart {
-    SectionId id = SectionId::end;
+    SectionId id = SectionId::head;
     Bytes raw;
 };
 
@@ -22,7 +22,10 @@ struct FilePart {
 // more than 16 MiB.
 std::optional<std::vector<FilePart>> take_apart(std::span<const std::byte> file);
 
-// Stored unpacked where `level` is 0.
+// What a file says of which sections it has.
+SectionMask mask_of(const std::vector<FilePart>& parts);
+
+// In the order of their ids, each once. Stored unpacked where `level` is 0.
 Bytes put_together(const std::vector<FilePart>& parts, int level = 0);
 
 // A file whose block head was changed.
