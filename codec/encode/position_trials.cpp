@@ -30,6 +30,7 @@ struct CountingCoder {
         model.update(truth);
         return truth;
     }
+    double cost(Context context, bool truth) const { return models[context].cost(truth); }
     std::uint64_t plain(std::uint64_t truth, int count) {
         bits += count;
         return truth;

@@ -20,6 +20,7 @@ struct WritingCoder {
         out.flag(models[context], truth);
         return truth;
     }
+    double cost(Context context, bool truth) const { return models[context].cost(truth); }
     std::uint64_t plain(std::uint64_t truth, int count) {
         out.plain(truth, count);
         return truth;

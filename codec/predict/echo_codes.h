@@ -52,12 +52,15 @@ class EchoCodes {
     }
     // Is the vertex told by what was found? `better`: the writer's answer.
     bool is_told(const Earlier& found, bool better) {
-        const auto far =
-            static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(found.distance)));
-        const bool told = coder_.flag(ResidualContexts::echo.at(far, history_), better);
+        const bool told = coder_.flag(context_of(found), better);
         history_ = (history_ << 1 | (told ? 1u : 0u)) & 7;
         if (told) last_ = found.echo;
         return told;
+    }
+    // What that flag takes beyond what it takes to say no, for a writer.
+    double price(const Earlier& found) const {
+        const Context context = context_of(found);
+        return coder_.cost(context, true) - coder_.cost(context, false);
     }
     // After each look, whether anything was found or not.
     void looked(bool told) { without_ = told ? 0 : without_ + 1; }
@@ -68,6 +71,12 @@ class EchoCodes {
   private:
     // Vertices without an echo until the echoes are looked at in turn, and every second time only.
     static constexpr std::uint64_t kPatience = 8, kWeary = 64;
+
+    Context context_of(const Earlier& found) const {
+        const auto far =
+            static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(found.distance)));
+        return ResidualContexts::echo.at(far, history_);
+    }
 
     void carry_over(Earlier& found, const Point3& value, const std::vector<Point3>& exact) const {
         const Echo& echo = format_.echoes[found.echo];

@@ -18,14 +18,14 @@ class FollowSizes {
 
     // Before a vertex that may follow.
     void begin(const Stencil& stencil) {
-        usual_of_ = &usual_[stencil.configuration != Configuration::seed
-                                ? 3
-                                : std::min<std::size_t>(stencil.variant, 2)];
+        usual_of_ = stencil.configuration != Configuration::seed
+                        ? 3
+                        : std::min<std::size_t>(stencil.variant, 2);
         done_ = 0;
     }
     // Of an axis that is not the same.
     Scale scale(std::size_t axis) const {
-        const std::uint64_t e = *usual_of_;
+        const std::uint64_t e = usual_[usual_of_];
         const Scale scale = scale_of(axis == 0   ? e
                                      : axis == 1 ? (20 * e + 12 * 16 * done_) >> 5
                                                  : (16 * e + 16 * 8 * done_) >> 5);
@@ -34,22 +34,22 @@ class FollowSizes {
     }
     // Is a coordinate likely to be the same? 0 if leaders have been off by next to nothing, to 3.
     std::uint32_t far() const {
-        return (*usual_of_ >= 8 ? 1u : 0u) + (*usual_of_ >= 32 ? 1u : 0u) +
-               (*usual_of_ >= 128 ? 1u : 0u);
+        const std::uint64_t usual = usual_[usual_of_];
+        return (usual >= 8 ? 1u : 0u) + (usual >= 32 ? 1u : 0u) + (usual >= 128 ? 1u : 0u);
     }
     void coded(std::int64_t r) { done_ += std::min<std::uint64_t>(magnitude(r), 0xFFFFFFFF); }
     // After the last axis.
     void end() {
         // In sixteenths, a quarter of the way; rounded down whichever way that is.
         const std::uint64_t mean = 16 * done_ / 3;
-        *usual_of_ = (3 * *usual_of_ + mean) / 4;
+        usual_[usual_of_] = (3 * usual_[usual_of_] + mean) / 4;
     }
 
   private:
     static constexpr std::uint64_t kStart = 64;
 
     std::array<std::uint64_t, 4> usual_;  // of seeds by variant, of all others
-    std::uint64_t* usual_of_ = nullptr;
+    std::size_t usual_of_ = 0;
     std::uint64_t done_ = 0;  // magnitudes of the axes so far
 };
 

@@ -40,23 +40,39 @@ class LevelCodes {
     template <class Has>
     bool next(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
               const double* before, const Has& has) {
+        return next_by(coder_, values, axis, guess, before, has);
+    }
+    // The same by another coder, such as one that tells a writer what it would take; `answers` and
+    // `take_back` around all of a vertex leave everything as it was.
+    template <class AnyCoder, class Has>
+    bool next_by(AnyCoder& coder, const std::vector<Point3>& values, std::size_t axis,
+                 std::int64_t guess, const double* before, const Has& has) {
         vertex_ = kNone;
         refused_.fill(std::numeric_limits<double>::quiet_NaN());
-        return (pairs_ && before != nullptr && next_pair(values, axis, guess, *before, has)) ||
-               (known_ && next_known(values, axis, guess, has)) ||
-               next_shared(values, axis, guess, has);
+        return (pairs_ && before != nullptr &&
+                next_pair(coder, values, axis, guess, *before, has)) ||
+               (known_ && next_known(coder, values, axis, guess, has)) ||
+               next_shared(coder, values, axis, guess, has);
     }
     // Whose coordinate that was.
     Id vertex() const { return vertex_; }
 
+    struct Answers {
+        std::array<std::uint32_t, 3> shared{};  // the last two per axis
+        std::array<bool, 3> known{}, paired{};  // the last
+        std::array<bool, 3> is_known{};         // has the vertex the level of near_?
+    };
+    const Answers& answers() const { return answers_; }
+    void take_back(const Answers& answers) { answers_ = answers; }
+
     // After each vertex.
     void insert(const Point3& value, Id vertex) {
         for (std::size_t axis = 0; axis < 3 && known_; ++axis) {
-            if (is_known_[axis])
+            if (answers_.is_known[axis])
                 known_->count(near_[axis].list, near_[axis].place);
             else
                 known_->insert(axis, value[axis], vertex);
-            is_known_[axis] = false;
+            answers_.is_known[axis] = false;
         }
         for (std::size_t axis = 1; axis < 3 && pairs_; ++axis)
             pairs_->insert(axis, value[axis - 1], value[axis], vertex);
@@ -66,9 +82,9 @@ class LevelCodes {
     static constexpr std::size_t kStencil = 7;  // entries that are looked at
 
     // Not asked where no two share one, or it is one that was just refused.
-    template <class Has>
-    bool next_shared(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
-                     const Has& has) {
+    template <class AnyCoder, class Has>
+    bool next_shared(AnyCoder& coder, const std::vector<Point3>& values, std::size_t axis,
+                     std::int64_t guess, const Has& has) {
         // The first of those that most share. All are held against all: fewer steps would be more
         // branches that nobody foresees. What is not there equals nothing.
         std::array<double, 8> x;
@@ -84,16 +100,17 @@ class LevelCodes {
         const double level = x[best];
         if (level == refused_[0] || level == refused_[1]) return false;
         vertex_ = id_[best];
+        std::uint32_t& history = answers_.shared[axis];
         const bool same =
-            coder_.flag(ResidualContexts::level.at(configuration_, most, history_[axis],
-                                                   guess == static_cast<std::int64_t>(level)),
-                        Coder::kWrites && has(vertex_));
-        history_[axis] = (history_[axis] << 1 | (same ? 1u : 0u)) & 3;
+            coder.flag(ResidualContexts::level.at(configuration_, most, history,
+                                                  guess == static_cast<std::int64_t>(level)),
+                       Coder::kWrites && has(vertex_));
+        history = (history << 1 | (same ? 1u : 0u)) & 3;
         return same;
     }
-    template <class Has>
-    bool next_known(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
-                    const Has& has) {
+    template <class AnyCoder, class Has>
+    bool next_known(AnyCoder& coder, const std::vector<Point3>& values, std::size_t axis,
+                    std::int64_t guess, const Has& has) {
         const KnownLevels::Near& near = near_[axis] =
             known_->nearest(axis, static_cast<double>(guess));
         if (near.vertex == kNone) return false;
@@ -101,22 +118,22 @@ class LevelCodes {
         if (level == refused_[0]) return false;
         vertex_ = near.vertex;
         const auto often = static_cast<std::uint32_t>(std::bit_width(near.count)) - 1;
-        bool& before = was_known_[axis];
+        bool& before = answers_.known[axis];
         const std::uint32_t beside = 4 * before + std::min(votes_for(values, axis, level), 3u);
-        return is_known_[axis] = before = coder_.flag(
+        return answers_.is_known[axis] = before = coder.flag(
                    ResidualContexts::known.at(width_of(near.distance), often, beside, count_ > 4),
                    Coder::kWrites && has(vertex_));
     }
-    template <class Has>
-    bool next_pair(const std::vector<Point3>& values, std::size_t axis, std::int64_t guess,
-                   double other, const Has& has) {
+    template <class AnyCoder, class Has>
+    bool next_pair(AnyCoder& coder, const std::vector<Point3>& values, std::size_t axis,
+                   std::int64_t guess, double other, const Has& has) {
         const LevelPairs::Near near = pairs_->nearest(axis, other, static_cast<double>(guess));
         if (near.vertex == kNone) return false;
         vertex_ = near.vertex;
         const double level = refused_[0] = values[vertex_][axis];
-        bool& before = was_paired_[axis];
+        bool& before = answers_.paired[axis];
         const std::uint32_t beside = 4 * before + std::min(votes_for(values, axis, level), 3u);
-        return before = coder_.flag(
+        return before = coder.flag(
                    ResidualContexts::pair.at(width_of(near.distance), std::min(near.place, 3u),
                                              beside, count_ > 4),
                    Coder::kWrites && has(vertex_));
@@ -135,11 +152,9 @@ class LevelCodes {
     std::optional<KnownLevels> known_;
     std::optional<LevelPairs> pairs_;
     std::uint32_t configuration_ = 0;
-    std::array<std::uint32_t, 3> history_{};          // the last two answers per axis
-    std::array<bool, 3> was_known_{}, was_paired_{};  // the last answers
+    Answers answers_;
     std::array<double, 2> refused_{};  // of pairs, and known: found, but not the vertex's, or NaN
     std::array<KnownLevels::Near, 3> near_{};
-    std::array<bool, 3> is_known_{};  // has the vertex the level of near_?
     std::array<Id, kStencil> id_{};
     std::size_t count_ = 0;
     Id vertex_ = kNone;

@@ -12,8 +12,8 @@
 
 #include "mesh/point3.h"
 #include "predict/border_codes.h"
+#include "predict/earlier_codes.h"
 #include "predict/echo_codes.h"
-#include "predict/follow_sizes.h"
 #include "predict/follows.h"
 #include "predict/grid.h"
 #include "predict/lead_codes.h"
@@ -21,6 +21,7 @@
 #include "predict/numbers.h"
 #include "predict/position_format.h"
 #include "predict/predictor.h"
+#include "predict/pricing.h"
 #include "predict/residual_context.h"
 #include "predict/rest_codes.h"
 
@@ -36,14 +37,13 @@ class PositionCodes {
           format_(format),
           most_(format.most()),
           keeps_exact_(format.keeps_exact()),
+          earlier_(coder, format_),
           predictor_(format.weights, format.mirrored, format.leaders_move),
           levels_(coder, format.has_levels ? format.level_bits : 0, format.has_pairs, vertices),
           rest_(coder, format.numbers,
                 !format.has_escapes ? 0
                 : format.narrow     ? 32
                                     : 64) {
-        tells_whole_ =
-            format_.numbers.digits == 0 && !format_.numbers.has_minus_zero && !format_.has_escapes;
         if (!format_.echoes.empty()) echoes_.emplace(coder, format_, vertices);
         if (format_.has_along) border_.emplace(coder, format_);
         if (format_.has_follows) leads_.emplace(coder, vertices, leads);
@@ -73,15 +73,25 @@ class PositionCodes {
         Id leader = kNone;
         if (leads_ && !edge) sane = leads_->next(stencil, next_vertex(), values_, false, leader);
         if (leader != kNone) {
-            follow_sizes_.begin(stencil);
+            earlier_.begin_led(stencil);
             found = find_follow(stencil, leader, g);
-            told = follows = code_followed(found, stencil, truth, whole);
+            bool better = false;
+            if constexpr (Coder::kWrites)
+                better = guess_takes_more(earlier_.price(found, true, truth) +
+                                              earlier_.follow_price(found) + kFollowPrice,
+                                          stencil, truth, g, whole);
+            told = follows = earlier_.follows(found, better);
         }
         if (echoes_ && !told && !edge) {
             found = echoes_->find(g, values_, exact_);
-            if (found.vertex != kNone)
-                told = echoes_->is_told(
-                    found, Coder::kWrites && is_better(found, stencil, truth, whole, kEchoPrice));
+            if (found.vertex != kNone) {
+                bool better = false;
+                if constexpr (Coder::kWrites)
+                    better = guess_takes_more(
+                        earlier_.price(found, false, truth) + echoes_->price(found), stencil, truth,
+                        g, whole);
+                told = echoes_->is_told(found, better);
+            }
             echoes_->looked(told);
             stays = echoes_->stays(found);
         }
@@ -99,9 +109,7 @@ class PositionCodes {
         sizes_.begin(guessed);
         const bool levels = format_.has_levels && !edge;
         if (levels) levels_.begin(guessed);
-        const bool may_be_same = told && (found.copies || format_.numbers.digits == 0);
-        const bool all_same = may_be_same && code_all_same(found, truth, follows);
-        std::uint32_t sames = 0;  // a bit for each axis that is the same
+        const bool all_same = told && earlier_.begin(found, follows, truth);
         Point3 value{}, exact{};
         for (std::size_t step = 0; step < 3 && sane; ++step) {
             const std::size_t axis = axes[step];
@@ -115,26 +123,20 @@ class PositionCodes {
             bool same = false;
             const auto a = static_cast<std::uint32_t>(axis);
             if (told) {
-                // The last one is not if the others are, as not all of them are.
-                same =
-                    all_same || (may_be_same && sames != 3 && code_same(found, number, a, follows));
-                sames |= (same ? 1u : 0u) << axis;
+                same = earlier_.same(found, axis, number);
                 if (same) {
                     value[axis] = found.value[axis];
                     if (found.copies) exact[axis] = found.exact[axis];
                     sane = std::abs(value[axis]) < static_cast<double>(most_);
                 } else {
-                    const Scale scale =
-                        follows ? follow_sizes_.scale(axis) : Scale{kEchoScale + a, 2};
-                    const std::int64_t r =
-                        code_whole(scale, found.whole[axis], number.whole, NoSignQuestion{},
-                                   may_be_same && tells_whole_);
-                    if (follows) follow_sizes_.coded(r);
+                    number.whole =
+                        sum_of(found.whole[axis],
+                               earlier_.residual(found, axis, number.whole - found.whole[axis]));
                 }
             } else {
                 if (levels)
                     same = levels_.next(values_, axis, whole[axis], before, [&](Id v) {
-                        return is(number, values_[v][axis], keeps_exact_ ? exact_[v][axis] : 0);
+                        return is_value(format_, number, values_[v][axis], exact_or_0(v, axis));
                     });
                 if (same) {
                     value[axis] = values_[levels_.vertex()][axis];
@@ -165,7 +167,7 @@ class PositionCodes {
                     axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
         }
         sizes_.push();
-        if (follows) follow_sizes_.end();
+        if (told) earlier_.end();
         if (leads_ && !edge && leads_->in_seed()) leads_->missed(next_vertex(), minus(value, g));
         add(value, exact, stays && found.copies && all_same);
         return sane;
@@ -233,8 +235,8 @@ class PositionCodes {
     const std::vector<Escape>& escapes() const { return escapes_; }
 
   private:
-    // In half bits, to the writer. Who follows as a rule is followed further.
-    static constexpr int kEchoPrice = 2, kFollowPrice = -2;
+    // Bits, to the writer: a leader that is hardly better makes others less sure.
+    static constexpr double kFollowPrice = 1;
 
     Id next_vertex() const { return static_cast<Id>(values_.size()); }
 
@@ -281,14 +283,6 @@ class PositionCodes {
         return [this, axis, part](std::uint32_t size) { return sizes_.sign(size, axis, part); };
     }
 
-    // To the last bit; of long decimals several have the same units.
-    bool is(const Number& truth, double units, double exact) const {
-        if (truth.escaped) return false;
-        const Scaled want = scaled_of(format_.numbers, truth);
-        return units == want.units && std::signbit(units) == std::signbit(want.units) &&
-               (!keeps_exact_ || exact == want.exact);
-    }
-
     // The vertex as its leader stands among its neighbours.
     Earlier find_follow(const Stencil& stencil, Id leader, const Point3& g) {
         Earlier found;
@@ -313,77 +307,51 @@ class PositionCodes {
         }
         return found;
     }
-    bool code_followed(const Earlier& found, const Stencil& stencil, const Position& truth,
-                       const std::array<std::int64_t, 3>& whole) {
-        bool better = false;
-        if constexpr (Coder::kWrites)
-            better = is_better(found, stencil, truth, whole, kFollowPrice);
-        better = coder_.flag(
-            ResidualContexts::follow.at(followed_, found.copies, follow_sizes_.far()), better);
-        followed_ = (followed_ << 1 | (better ? 1u : 0u)) & 7;
-        return better;
-    }
-    // Is the vertex where what was found says, to the last bit? Then coordinate by coordinate.
-    bool code_all_same(const Earlier& found, const Position& truth, bool follows) {
-        bool same = Coder::kWrites;
-        for (std::size_t axis = 0; axis < 3 && same; ++axis)
-            same = is(truth[axis], found.value[axis], found.exact[axis]);
-        std::uint32_t& history = follows ? follow_all_same_ : all_same_;
-        const std::uint32_t far = follows ? follow_sizes_.far() : 0;
-        same =
-            coder_.flag(ResidualContexts::all_same.at(follows, history, found.copies, far), same);
-        history = (history << 1 | (same ? 1u : 0u)) & 7;
-        return same;
-    }
-    bool code_same(const Earlier& found, const Number& truth, std::uint32_t axis, bool follows) {
-        using C = ResidualContexts;
-        std::uint32_t& history = follows ? follow_same_ : same_;
-        const Context context = follows ? C::follow_same.at(follow_sizes_.far(), axis, history)
-                                        : C::same.at(axis, history);
-        const bool same =
-            coder_.flag(context, Coder::kWrites && is(truth, found.value[axis], found.exact[axis]));
-        history = (history << 1 | (same ? 1u : 0u)) & 3;
-        return same;
-    }
-
-    // About what a residual takes, in half bits.
-    static int cost_of(std::int64_t r) {
-        return r == 0 ? 0 : 2 * static_cast<int>(std::bit_width(magnitude(r))) + 1;
-    }
-    // The writer takes what an earlier vertex says where its residuals take less than those of the
-    // guess, of which what a border tells does not count, nor much what levels tell.
-    bool is_better(const Earlier& found, const Stencil& stencil, const Position& truth,
-                   const std::array<std::int64_t, 3>& whole, int price) const {
-        constexpr int kLevel = 4;
+    // Would the vertex take more bits than that if no earlier one told it, as far as a writer can
+    // say before? What a border tells does not count.
+    bool guess_takes_more(double bits, const Stencil& stencil, const Position& truth,
+                          const Point3& g, const std::array<std::int64_t, 3>& whole) {
+        Pricing<Coder> pricing{coder_};
         const Point3 value = units_of(format_.numbers, truth);
-        int by_earlier = price, by_guess = 0, most = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            by_earlier += cost_of(truth[k].whole - found.whole[k]);
-            int axis = cost_of(truth[k].whole - whole[k]);
-            if (found.copies) axis += rest_digits(format_.numbers, truth[k].whole);
-            if (axis > kLevel && format_.has_levels && is_level(stencil, k, value[k]))
-                axis = kLevel;
-            by_guess += axis;
-            most = std::max(most, axis);
+        const bool told = border_ && border_->tells(stencil, values_, value);
+        const auto answers = levels_.answers();
+        double most = 0;
+        sizes_.begin(stencil);
+        if (format_.has_levels) levels_.begin(stencil);
+        const auto takes_more = [&] { return pricing.bits - (told ? most : 0) > bits; };
+        for (std::size_t axis = 0; axis < 3 && !takes_more(); ++axis) {
+            const double before = pricing.bits;
+            const auto has = [&](Id v) {
+                return is_value(format_, truth[axis], values_[v][axis], exact_or_0(v, axis));
+            };
+            const std::int64_t r = truth[axis].whole - whole[axis];
+            if (!format_.has_levels ||
+                !levels_.next_by(pricing, values_, axis, whole[axis],
+                                 axis == 0 ? nullptr : &value[axis - 1], has)) {
+                code_residual(pricing, sizes_.scale(axis, axis), r,
+                              sign_by(axis, part_of(g[axis], whole[axis])));
+                pricing.bits += rest_digits(format_.numbers, truth[axis].whole);
+            }
+            sizes_.coded_residual(axis, r);
+            most = std::max(most, pricing.bits - before);
         }
-        if (border_ && border_->tells(stencil, values_, value)) by_guess -= most;
-        return by_earlier < by_guess;
+        levels_.take_back(answers);
+        return takes_more();
     }
-    // Does one of the nearest neighbours have that coordinate?
-    bool is_level(const Stencil& stencil, std::size_t axis, double value) const {
-        return std::any_of(stencil.at.begin(), stencil.at.begin() + 3,
-                           [&](Id v) { return v != kNone && values_[v][axis] == value; });
-    }
+    double exact_or_0(Id v, std::size_t axis) const { return keeps_exact_ ? exact_[v][axis] : 0; }
 
     // Returns by how much the guess was off.
     template <class Sign = NoSignQuestion>
     std::int64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole,
-                            const Sign& sign = {}, bool differs = false) {
-        const std::int64_t r = code_residual(coder_, scale, whole - guess, sign, differs);
-        // A file may hold any residual: the sum wraps.
-        whole = static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
-                                          static_cast<std::uint64_t>(r));
+                            const Sign& sign = {}) {
+        const std::int64_t r = code_residual(coder_, scale, whole - guess, sign);
+        whole = sum_of(guess, r);
         return r;
+    }
+    // A file may hold any residual: the sum wraps.
+    static std::int64_t sum_of(std::int64_t guess, std::int64_t r) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
+                                         static_cast<std::uint64_t>(r));
     }
 
     Coder& coder_;
@@ -391,7 +359,7 @@ class PositionCodes {
     const std::int64_t most_;
     const bool keeps_exact_;
     bool is_plain_ = false;
-    bool tells_whole_ = false;  // is a coordinate another only if its whole part is?
+    EarlierCodes<Coder> earlier_;
     Predictor predictor_;
     ResidualSizes sizes_;
     LevelCodes<Coder> levels_;
@@ -401,9 +369,6 @@ class PositionCodes {
     std::optional<BorderCodes<Coder>> border_;
     std::optional<EchoCodes<Coder>> echoes_;
     std::optional<LeadCodes<Coder>> leads_;
-    FollowSizes follow_sizes_;
-    std::uint32_t same_ = 0, all_same_ = 0, followed_ = 0, follow_same_ = 0,
-                  follow_all_same_ = 0;  // the last answers
 };
 
 }  // namespace ravel

@@ -60,6 +60,15 @@ inline Point3 units_of(const NumberFormat& format, const Position& position) {
     return units;
 }
 
+// Is a number that, to the last bit? Of long decimals several have the same units.
+inline bool is_value(const PositionFormat& format, const Number& number, double units,
+                     double exact) {
+    if (number.escaped) return false;
+    const Scaled want = scaled_of(format.numbers, number);
+    return units == want.units && std::signbit(units) == std::signbit(want.units) &&
+           (!format.keeps_exact() || exact == want.exact);
+}
+
 // An earlier vertex, and what it says of the new one.
 struct Earlier {
     Id vertex = kNone;

@@ -104,30 +104,38 @@ class CoinStream(Models):
     def residual(self, context, bits, kind=0, sign=None, differs=False):
         if self.wanted is None:
             return super().residual(context, bits, kind, sign, differs)
-        r, self.wanted = self.wanted, None
+        r = self.wanted
         m = abs(r)
-        size = self.blocks["size"]
-        self.note_flag(size, (context, 0), m == 0)
-        if m == 0:
-            return r
         digits = width(m)
-        self.note_flag(size, (context, 1), digits >= bits)
-        if digits >= bits:
-            for step in range(digits - bits):
-                self.note_flag(size, (context, 2 + min(step, 20)), True)
-            if digits < 64:
-                self.note_flag(size, (context, 2 + min(digits - bits, 20)), False)
-        else:
-            for step, s in enumerate(range(bits - 1, 1, -1)):
-                self.note_flag(size, (context, 23 + min(step, 9)), s == digits)
-                if s == digits:
-                    break
-        if digits >= 2:
-            at = min(max(digits + 8, bits), bits + 15) - bits
-            self.note_flag(self.blocks["second"], (at, digits), m >> (digits - 2) & 1)
-        rest = max(digits, 2) - 2
-        self.plain(rest, m & ((1 << rest) - 1))
-        self.plain(1, r < 0)
+
+        def note(n, answer):
+            self.chosen = answer
+            self.node(kind, context, n)
+
+        if not differs:
+            note(0, m == 0)
+        if m > 0:
+            note(1, digits >= bits)
+            if digits >= bits:
+                for step in range(digits - bits):
+                    note(2 + min(step, 20), True)
+                if digits < 64:
+                    note(2 + min(digits - bits, 20), False)
+            else:
+                for step, s in enumerate(range(bits - 1, 1, -1)):
+                    note(23 + min(step, 9), s == digits)
+                    if s == digits:
+                        break
+            if digits >= 2:
+                at = min(max(digits + 8, bits), bits + 15) - bits
+                self.note_flag(self.blocks["second"], (at, digits), m >> (digits - 2) & 1)
+            if sign:
+                sign(digits)  # chooses by what is wanted
+            rest = max(digits, 2) - 2
+            self.plain(rest, m & ((1 << rest) - 1))
+            if not sign:
+                self.plain(1, r < 0)
+        self.wanted = None
         return r
 
     def end(self):

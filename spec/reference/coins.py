@@ -16,14 +16,32 @@ from coin_stream import CoinPrecedents, CoinStream, coin, varint, zigzag
 from conventions import NONE, crc32c, width
 from edges import edges_of
 from errors import Invalid
-from positions import BINARY, DECIMAL, GRID, Positions
+from positions import Positions
+from positions_head import BINARY, DECIMAL, GRID
+from signs import Signs
 from strip import read_strip
 from walk import GONE
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
 
 
+class CoinSigns(Signs):
+    def read(self, k, part, s):
+        if self.stream.wanted is not None:
+            self.stream.chosen = (self.stream.wanted < 0) == self.down(k, part, s)
+        return super().read(k, part, s)
+
+
 class CoinPositions(Positions):
+    def __init__(self, head, block, p, stream):
+        super().__init__(head, block, p, stream)
+        self.signs = CoinSigns(stream)
+
+    def residual(self, k, guess, w, off_plane):
+        if abs(w) > self.M - 5000:  # `whole` can't be at M, nor beyond
+            self.stream.wanted = random.choice((1, 2, 3, 40, 9999)) * (-1 if w > 0 else 1)
+        return super().residual(k, guess, w, off_plane)
+
     def read_rest(self, e):
         rest = random.randrange(1, 10**e if self.base == DECIMAL else 2**e)
         self.stream.plain(width(10**e - 1) if self.base == DECIMAL else e, rest)
@@ -134,12 +152,12 @@ def make_positions_head(head):
     p.base = random.choice((DECIMAL, BINARY)) if head.lossless else GRID
     p.has_levels = coin(0.5)
     p.has_follows = coin(0.5)
-    p.has_along = head.tets and coin(0.6)
+    p.has_along = head.tets and coin(0.7)
     if head.lossless:
         p.places = random.randrange(8) if p.base == DECIMAL else random.choice((0, 3, 24, 52, -5, 1000, -1000))
         p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
     has_echoes = coin(0.5)
-    has_rounds = p.has_along and coin(0.7)
+    has_rounds = p.has_along and coin(0.8)
     fitted = random.getrandbits(18) & random.getrandbits(18) | has_rounds << 18
     flags = p.has_follows | p.has_along << 1 | p.has_escapes << 2 | p.has_minus_zero << 3
     out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7]) + varint(fitted)
@@ -165,7 +183,7 @@ def make_positions_head(head):
             p.weights[c] = [random.randint(-most, most) for _ in range(count)]
             out += b"".join(varint(zigzag(w)) for w in p.weights[c])
     if has_rounds:
-        p.round_faces = coins_rounds.CoinRoundFaces()
+        p.round_faces = coins_rounds.CoinRoundFaces(p.base == GRID)
     behind = b""
     if head.tets and head.lossless:
         p.place_origin = tuple(random.uniform(-40, 0) for _ in range(3))
@@ -225,8 +243,8 @@ def make_file(seed, rides=False):
         walk.run()
         block.vertices = walk.vertex_count
         walk.edges = edges_of(block, walk)
-        # enough points for H to be that of the file
-        least = 0 if H == 16 else H // 2 + 1 - walk.vertex_count
+        # enough points for H to be that of the file, if it has echoes
+        least = H // 2 + 1 - walk.vertex_count if p.echoes and H > 16 else 0
         unused_points = max(least, random.choice((0, 0, 1, 4)) + len(walk.edges.ends))
         if p.level_bits:
             unused_points = points - walk.vertex_count
@@ -244,21 +262,13 @@ def make_file(seed, rides=False):
     riding = coins_riding.make_some(head, block, walk) if rides else coins_riding.nothing()
     if not riding:
         return None
-    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
-    flags |= block.edge_points << 5 | block.leaders_move << 6 | block.has_precedents << 7
-    fields = [block.cells]
-    if not head.tets:
-        fields += [block.uniform_degree] if block.uniform_degree else [0, len(walk.vertex)]
-    fields.append(block.vertices)
-    if block.has_copies:
-        fields.append(walk.copy_of.count(NONE))
-    fields += [block.unused_points, riding.companions, walk.seeds, block.links]
-    if head.tets:
-        fields += [block.grid_side, *block.grid_count, block.shape_step]
+    block.components = walk.seeds
+    block.companions = riding.companions
+    block.points = walk.copy_of.count(NONE)
     rounds = p.round_faces.bytes() if p.round_faces else b""
     sections = {
         container.HEAD: head_bytes + riding.head,
-        container.BLOCK: bytes([flags]) + b"".join(varint(x) for x in fields),
+        container.BLOCK: make_block(head, block),
         container.CONNECTIVITY: stream.bytes(),
         container.POSITIONS: before_rounds + rounds + behind_rounds + positions_stream.bytes(),
         **riding.sections,
@@ -266,26 +276,60 @@ def make_file(seed, rides=False):
     return whole_file(sections)
 
 
+def make_block(head, block):
+    """3.3; fields with their usual values are told, too, now and then."""
+    flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
+    flags |= block.edge_points << 5 | block.leaders_move << 6 | block.has_precedents << 7
+    out = bytes([flags]) + varint(block.cells)
+    if not head.tets:
+        out += varint(block.uniform_degree)
+        if block.uniform_degree == 0:
+            out += varint(block.corners)
+    out += varint(block.vertices)
+    if block.has_copies:
+        out += varint(block.points)
+    usual = 0, 0, container.usual_components(block), 0
+    told = 0
+    fields = b""
+    for bit, value in enumerate((block.unused_points, block.companions, block.components, block.links)):
+        if value != usual[bit] or coin(0.3):
+            told |= 1 << bit
+            fields += varint(value)
+    out += bytes([told]) + fields
+    if head.tets:
+        out += b"".join(varint(x) for x in (block.grid_side, *block.grid_count, block.shape_step))
+    return out
+
+
 def has_tets(data):
     return container.read_sections(data)[container.HEAD][0] & 1 == 1
 
 
 def damage(data):
-    """A file with a few bits of one section other than they were, checksums right."""
+    """A file with a few bits of one section other than they were, or with other sections; checksums right."""
     sections = container.read_sections(data)
-    id = random.choice([id for id in sections if sections[id]])
-    damaged = bytearray(sections[id])
+    if coin(0.08):
+        return whole_file(sections, flipped=1 << random.randrange(8))
+    if coin(0.08):
+        name = random.choice(container.OPTIONAL)
+        if sections.pop(name, None) is None:
+            sections[name] = bytes(random.choice((0, 1, 2)))
+        return whole_file(sections)
+    name = random.choice([name for name in sections if sections[name]])
+    damaged = bytearray(sections[name])
     for _ in range(random.choice((1, 1, 2))):
         damaged[random.randrange(len(damaged))] ^= 1 << random.randrange(8)
     if coin(0.1):
         damaged = damaged[: random.randrange(len(damaged))]
-    sections[id] = bytes(damaged)
+    sections[name] = bytes(damaged)
     return whole_file(sections)
 
 
-def whole_file(sections):
-    out = b"Rav1" + bytes([container.VERSION])
-    for id, data in sections.items():
-        out += bytes([id]) + varint(len(data) * 2) + data
-    out += b"\0"
+def whole_file(sections, flipped=0):
+    """3; `flipped`: bits of `sections` that are not as they should be."""
+    told = sum(1 << bit for bit, name in enumerate(container.OPTIONAL) if name in sections)
+    out = b"Rav1" + bytes([container.VERSION, told ^ flipped])
+    for name in container.ALWAYS + container.OPTIONAL:
+        if name in sections:
+            out += varint(len(sections[name]) * 2) + sections[name]
     return out + struct.pack("<I", crc32c(out))

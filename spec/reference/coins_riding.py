@@ -59,6 +59,9 @@ def make(head, block, walk):
             codings + planes,
             lambda data, streams: [attributes.read_attributes(data, heads, elements, streams)], chances)
         riding.sections[container.ATTRIBUTES] = section
+    # 12: none
+    if coin(0.2):
+        riding.sections[container.NAMES] = b"\0\0"
     # 13
     if head.keeps_order:
         cells_first = coin(0.3)

@@ -3,29 +3,36 @@
 import random
 
 from coin_stream import coin, varint, zigzag
-from conventions import clamp, cross, dot, length, minus, plus, times
+from conventions import clamp, cross, dot, length, minus, plus, times, width
 from rounds import CYLINDER, SPHERE, TORUS, RoundFace, RoundFaces
 
 
 class CoinRoundFaces(RoundFaces):
     """Faces that are decided on when the first three points are asked about, so that some go through these."""
 
-    def __init__(self):
+    def __init__(self, is_grid):
         self.round_slack = random.choice((0, 0, 0, 0, 1, 2, 3, 5, 8, 12, 53))
         super().__init__([], self.round_slack)
         self.count = random.choice((1, 1, 1, 2, 3, 7, 16))
         self.fields = b""
+        self.first = random.choice((None, face_missed, face_far if is_grid else None))
 
     def under(self, points):
         self.decide(points)
         return super().under(points)
 
     def decide(self, points):
+        if points and self.first and not self.faces:
+            self.add(self.first(points[0]))
+            self.round_slack = slack_of(self.faces[0], points)
+            self.slack = float(2**self.round_slack)
         while len(self.faces) < self.count:
             fields = face_through(points) if points and coin(0.6) else None
-            fields = fields or (face_at(points[0]) if points and coin(0.3) else face_by_chance())
-            self.fields += bytes_of(*fields)
-            self.faces.append(RoundFace(*fields))
+            self.add(fields or (face_at(points[0]) if points and coin(0.3) else face_by_chance()))
+
+    def add(self, fields):
+        self.fields += bytes_of(*fields)
+        self.faces.append(RoundFace(*fields))
 
     def bytes(self):
         """8.1: the fields from `round_count` to `ring`."""
@@ -65,6 +72,26 @@ def face_at(p):
     kind = random.choice((SPHERE, CYLINDER, TORUS))
     axis = [0, 0, 0] if kind == SPHERE or coin(0.3) else axis_by_chance()
     return face(kind, p, axis, random.choice((0, 0, 3)), random.choice((0, 0, 3)) if kind == TORUS else 0)
+
+
+def face_far(p):
+    """So far from p that a guess near it is moved beyond 2^40, on one axis or more."""
+    way = random.choice(((1, 0, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1), (1, -1, 0), (-3, 1, 2)))
+    far = 2.0 ** random.randrange(41, 52)
+    return face(random.choice((SPHERE, TORUS)), plus(p, times(way, far)), [0, 0, 0], 8 * far, 0.0)
+
+
+def face_missed(p):
+    """So small that the line along the last axis may pass it: then the eight rounds of 8.5.5 do not meet."""
+    kind = random.choice((SPHERE, SPHERE, CYLINDER, TORUS))
+    radius = random.choice((1, 3, 10, 30, 100, 1000))
+    ring = random.choice((0, 1, 10)) * radius if kind == TORUS else 0
+    return face(kind, p, [0, 0, 0] if kind == SPHERE else axis_by_chance(), radius, ring)
+
+
+def slack_of(face, points):
+    """The least `round_slack` with which the points lie on the face, if there is one."""
+    return min(width(int(max(abs(face.outside(p)[0]) for p in points))), 53)
 
 
 def face_through(points):

@@ -5,18 +5,20 @@ from types import SimpleNamespace
 
 import zstd
 from conventions import Bytes, crc32c
-from errors import Invalid, corrupt, require
+from errors import Invalid, require
 
-VERSION = 14
+VERSION = 16
 
-HEAD, BLOCK, CONNECTIVITY, POSITIONS, COMPANIONS, ATTRIBUTES, NAMES, ORDER = range(1, 9)
+# in the order in which they come, those that need not be there also in that of the bits of `sections`
+ALWAYS = HEAD, BLOCK, CONNECTIVITY, POSITIONS = "head", "block", "connectivity", "positions"
+OPTIONAL = COMPANIONS, ATTRIBUTES, NAMES, ORDER = "companions", "attributes", "names", "order"
 
 POINT, CORNER, CELL, COMPANION, MESH = range(5)
 SCALARS = ("u8", "i8", "u16", "i16", "u32", "i32", "u64", "i64", "f32", "f64")
 
 
 def find_sections(data):
-    """3, 3.1: the id, the stored bytes and `raw_size` (None: not packed) of each section; the checksum is right."""
+    """3, 3.1: the name, the stored bytes and `raw_size` (None: not packed) of each section; the checksum is right."""
     if data[:4] != b"Rav1":
         raise Invalid("not_a_ravel_file", "no magic")
     if len(data) == 4:
@@ -24,14 +26,13 @@ def find_sections(data):
     if data[4] != VERSION:
         raise Invalid("unsupported_version", f"version is not {VERSION}")
     file = Bytes(data, "truncated", 5)
+    told = file.u8()
+    require(told < 16, "bits 4 to 7 of `sections`")
     found = []
-    while True:
-        id = file.u8()
-        if id == 0:
-            break
+    for name in ALWAYS + tuple(name for bit, name in enumerate(OPTIONAL) if told >> bit & 1):
         size = file.varint()
         raw_size = file.varint() if size & 1 else None
-        found.append((id, file.take(size >> 1), raw_size))
+        found.append((name, file.take(size >> 1), raw_size))
     before = data[: file.at]
     checksum = file.u32()
     require(file.left() == 0, "bytes behind the checksum")
@@ -41,30 +42,24 @@ def find_sections(data):
 
 
 def read_sections(data):
-    """3, 3.1: the unpacked bytes of each section by id."""
+    """3, 3.1: the unpacked bytes of each section by name."""
     sections = {}
-    last = 0
-    for id, stored, raw_size in find_sections(data):
-        require(id <= 8, "id of a section above 8")
-        require(id > last, "sections not ascending")
-        last = id
+    for name, stored, raw_size in find_sections(data):
         if raw_size is not None:
             require(raw_size <= (len(stored) // 4 + 1) * 131072, "raw_size above what the bytes can hold")
             stored = zstd.unpack(stored, raw_size)
-        sections[id] = stored
-    for id in (HEAD, BLOCK, CONNECTIVITY, POSITIONS):
-        require(id in sections, f"section {id} is missing")
+        sections[name] = stored
     return sections
 
 
 def check_sections(sections, head, block):
     """3.1: the sections that are there if and only if the heads say so."""
-    for id, wanted in (
+    for name, wanted in (
         (COMPANIONS, block.companions > 0),
         (ATTRIBUTES, len(head.attributes) > 0),
         (ORDER, head.keeps_order),
     ):
-        require((id in sections) == wanted, f"section {id} missing, or there without need")
+        require((name in sections) == wanted, f"section {name} missing, or there without need")
 
 
 def read_head(data):
@@ -187,12 +182,14 @@ def read_block(data, tets):
     require(b.vertices <= b.corners, "vertices")
     b.points = bytes.varint() if b.has_copies else b.vertices
     require(b.points <= b.vertices, "points")
-    b.unused_points = bytes.varint()
+    told = bytes.u8()
+    require(told < 16, "bits 4 to 7 of `told`")
+    b.unused_points = bytes.varint() if told & 1 else 0
     require(b.vertices + b.unused_points < most, "unused_points")
-    b.companions = bytes.varint()
-    b.components = bytes.varint()
+    b.companions = bytes.varint() if told & 2 else 0
+    b.components = bytes.varint() if told & 4 else usual_components(b)
     require(b.components <= b.cells, "components")
-    b.links = bytes.varint()
+    b.links = bytes.varint() if told & 8 else 0
     require(b.links <= b.corners, "links")
     if tets:
         b.grid_side = bytes.varint()
@@ -205,6 +202,11 @@ def read_block(data, tets):
         require(b.shape_step <= 2**52, "shape_step")
     bytes.end()
     return b
+
+
+def usual_components(block):
+    """3.3: `components` where they are not told."""
+    return min(block.cells, 1)
 
 
 def check_memory(head, block, sections, limit):
@@ -220,7 +222,7 @@ def check_memory(head, block, sections, limit):
         V += 40
     need = block.corners * P + block.cells * Q + (block.vertices + block.unused_points) * V
     weight = {HEAD: 64, BLOCK: 64, COMPANIONS: 40, ATTRIBUTES: 4 if head.keeps_order else 2, NAMES: 72}
-    need += sum(len(data) * weight.get(id, 1) for id, data in sections.items())
+    need += sum(len(data) * weight.get(name, 1) for name, data in sections.items())
     if need > limit:
         raise Invalid("limit_exceeded", f"{need} bytes")
 

@@ -40,3 +40,12 @@ def edges_of(block, walk):
             cell[2], cell[3] = cell[3], cell[2]
         edges.add(cell, vertex_of)
     return edges
+
+
+def move_edges(nodes, permutation):
+    """The mid-edge nodes of a tet whose new corner i is old corner permutation[i]."""
+    result = [None] * 6
+    for (a, b), node in zip(TET_EDGES, nodes):
+        ends = {permutation[a], permutation[b]}
+        result[next(k for k, edge in enumerate(TET_EDGES) if set(edge) == ends)] = node
+    return result

@@ -15,8 +15,10 @@ from errors import Invalid, require
 from mesh import build_mesh
 from names import read_names
 from flags import Stream
-from order import Order, restore
-from positions import Positions, read_positions_head
+from old_mesh import restore
+from order import Order
+from positions import Positions
+from positions_head import read_positions_head
 from shape import Shape
 from strip import read_strip
 from walk_surface import SurfaceWalk

@@ -18,14 +18,17 @@ class Signs:
     def read(self, k, part, s):
         """Whether the residual of axis k, of s binary digits, is negative."""
         around = self.signs[k]
+        down = self.down(k, part, s)
         if s > 2:
-            down = around < 0
             answer = self.stream.flag(self.contexts["sign_of_large"], abs(around))
         else:
-            down = part < 0
             way = math.trunc(min(abs(part) * 8, 3))
             answer = self.stream.flag(self.contexts["sign"], way, s - 1, 3 + (-around if down else around))
         return down if answer else not down
+
+    def down(self, k, part, s):
+        """Whether it is negative if the answer is yes."""
+        return self.signs[k] < 0 if s > 2 else part < 0
 
     def keep(self, signs):
         """Those of the next vertex."""

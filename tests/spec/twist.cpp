@@ -169,6 +169,7 @@ struct ForcingCoder {
         out.flag(models[context], truth);
         return truth;
     }
+    double cost(Context context, bool truth) const { return models[context].cost(truth); }
     std::uint64_t plain(std::uint64_t truth, int count) {
         out.plain(truth, count);
         return count == 0 ? 0 : truth & (~std::uint64_t{0} >> (64 - count));

@@ -13,6 +13,8 @@
 #include "encode/position_pass.h"
 #include "entropy/priors.h"
 #include "io/mesh_io.h"
+#include "predict/priors.h"
+#include "predict/residual_models.h"
 #include "ravel/ravel.h"
 
 namespace ravel::train {
@@ -57,13 +59,18 @@ struct PrecedentTape {
     void plain(std::uint64_t, int) {}
 };
 
+// What is chosen depends on what flags cost, so models learn meanwhile.
 struct ResidualTape {
     static constexpr bool kWrites = true;
     Tally tally{ResidualContexts::count};
+    std::vector<FlagModel> models =
+        with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen));
     bool flag(Context context, bool truth) {
         tally.add(context, truth);
+        models[context].update(truth);
         return truth;
     }
+    double cost(Context context, bool truth) const { return models[context].cost(truth); }
     std::uint64_t plain(std::uint64_t truth, int) { return truth; }
 };
 
