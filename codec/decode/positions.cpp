@@ -5,12 +5,13 @@
 namespace ravel {
 namespace {
 
-bool read_round_faces(ByteReader& in, PositionFormat& format) {
-    const std::uint8_t count = in.u8();
-    format.round_slack = in.u8();
-    bool sane = count >= 1 && count <= kMostRoundFaces && format.round_slack <= kMostRoundSlack;
-    for (std::size_t f = 0; f < count && sane; ++f) {
-        RoundFace face;
+bool read_round_faces(ByteReader& in, RoundFaceList& faces) {
+    faces.count = in.u8();
+    faces.slack = in.u8();
+    bool sane =
+        faces.count >= 1 && faces.count <= kMostRoundFaces && faces.slack <= kMostRoundSlack;
+    for (std::size_t f = 0; f < faces.count && sane; ++f) {
+        RoundFace& face = faces.face[f];
         const std::uint8_t kind = in.u8();
         face.kind = static_cast<RoundKind>(kind);
         sane = kind < static_cast<std::uint8_t>(RoundKind::count);
@@ -28,7 +29,6 @@ bool read_round_faces(ByteReader& in, PositionFormat& format) {
                ring <= std::uint64_t{kMostRoundLength};
         face.radius = static_cast<std::int64_t>(radius);
         face.ring = static_cast<std::int64_t>(ring);
-        format.rounds.push_back(face);
     }
     return sane;
 }
@@ -91,7 +91,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
             sane = sane && w >= -32768 && w <= 32767;
             format.weights[c][i] = static_cast<std::int16_t>(w);
         }
-    if ((fitted & kHasRounds) != 0 && sane) sane = read_round_faces(in, format);
+    if ((fitted & kHasRounds) != 0 && sane) sane = read_round_faces(in, format.rounds);
     if (!sane || !in.ok())
         return Error{Code::corrupt, in.at(), "the head of the positions makes no sense"};
     format.has_stand_ins = head.lossless && head.kind == CellKind::tet;

@@ -256,8 +256,8 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
             return format;
         };
     };
-    const auto weights_along = [&](const RoundsFound& rounds) {
-        RoundFaces faces(rounds.faces, rounds.slack);
+    const auto weights_along = [&](const RoundFaceList& rounds) {
+        RoundFaces faces(rounds);
         for (const Point3& place : places) faces.insert(place);
         return weights(&faces);
     };
@@ -311,15 +311,15 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
             f.has_along = true;
             f.weights = along_weights;
         });
-    const RoundsFound rounds =
-        all.complex.kind == CellKind::tet ? find_round_faces(record, places, skip) : RoundsFound{};
-    const Weights round_weights = rounds.faces.empty() ? first.weights : weights_along(rounds);
+    const RoundFaceList rounds = all.complex.kind == CellKind::tet
+                                     ? find_round_faces(record, places, skip)
+                                     : RoundFaceList{};
+    const Weights round_weights = rounds.empty() ? first.weights : weights_along(rounds);
     const auto lay_on = [&](PositionFormat& f) {
         f.has_along = true;
-        f.rounds = rounds.faces;
-        f.round_slack = rounds.slack;
+        f.rounds = rounds;
     };
-    if (!rounds.faces.empty()) {
+    if (!rounds.empty()) {
         offer(kTaken, always, lay_on);
         offer(
             kTaken, [](const PositionFormat& f) { return !f.rounds.empty(); },

@@ -77,10 +77,11 @@ Bytes position_head_of(const PositionFormat& format) {
         for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
             out.varint(zigzag(format.weights[c][i]));
     if (!format.rounds.empty()) {
-        out.u8(static_cast<std::uint8_t>(format.rounds.size()));
-        out.u8(static_cast<std::uint8_t>(format.round_slack));
+        out.u8(static_cast<std::uint8_t>(format.rounds.count));
+        out.u8(static_cast<std::uint8_t>(format.rounds.slack));
     }
-    for (const RoundFace& face : format.rounds) {
+    for (std::size_t f = 0; f < format.rounds.count; ++f) {
+        const RoundFace& face = format.rounds.face[f];
         out.u8(static_cast<std::uint8_t>(face.kind));
         for (const std::int64_t x : face.centre) out.varint(zigzag(x));
         for (std::size_t k = 0; k < 3 && face.kind != RoundKind::sphere; ++k)

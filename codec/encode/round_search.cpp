@@ -82,7 +82,8 @@ class Search {
             const Triangle& start = border_.triangles[(random >> 33) % border_.triangles.size()];
             if (taken_[start[0]] && taken_[start[1]] && taken_[start[2]]) continue;
             Found best;
-            for (const std::size_t vertices : {std::size_t{12}, kOfTorus}) try_patch(start, vertices, best);
+            for (const std::size_t vertices : {std::size_t{12}, kOfTorus})
+                try_patch(start, vertices, best);
             if (!is_worth(best)) continue;
             const RoundShape shape = shape_of(best.face);
             for (const Id v : border_.vertices)
@@ -276,17 +277,17 @@ class Search {
 
 }  // namespace
 
-RoundsFound find_round_faces(const WalkRecord& record, const std::vector<Point3>& places,
-                             const std::vector<bool>& skip) {
+RoundFaceList find_round_faces(const WalkRecord& record, const std::vector<Point3>& places,
+                               const std::vector<bool>& skip) {
     const Border border = border_of(record, places, skip);
     if (border.triangles.empty()) return {};
     Search search(border, places);
     std::vector<Found> found = search.run();
     std::stable_sort(found.begin(), found.end(),
                      [](const Found& a, const Found& b) { return a.vertices > b.vertices; });
-    RoundsFound rounds;
+    RoundFaceList rounds;
     for (std::size_t i = 0; i < std::min(found.size(), kMostRoundFaces); ++i) {
-        rounds.faces.push_back(found[i].face);
+        rounds.face[rounds.count++] = found[i].face;
         rounds.slack = std::max(rounds.slack, search.slack_of(found[i].face));
     }
     return rounds;

@@ -20,7 +20,7 @@ template <class Coder>
 class BorderCodes {
   public:
     BorderCodes(Coder& coder, const PositionFormat& format)
-        : coder_(coder), faces_(format.rounds, format.round_slack) {}
+        : coder_(coder), faces_(format.rounds) {}
 
     // Once per vertex, in order.
     void insert(const Point3& value) { faces_.insert(value); }

@@ -28,15 +28,14 @@ struct PositionFormat {
     bool mirrored = false;      // tets, most of which are inside out
     bool leaders_move = false;  // see carried()
     Weights weights = kDefaultWeights;
-    bool has_levels = false;  // coordinates that several neighbours share are asked for
-    int level_bits = 0;       // and those known from elsewhere, in intervals of 2^level_bits; or 0
-    bool has_pairs = false;   // and those that go with the coordinate before; needs level_bits
-    bool has_along = false;   // tets: new vertices may go on with the border
-    std::vector<RoundFace> rounds;  // at most kMostRoundFaces, and only if has_along
-    int round_slack = 0;            // what is less than 2^round_slack units off one lies on it
-    bool has_follows = false;       // parts repeat: see follows.h
-    std::vector<Echo> echoes;       // at most kMostEchoes
-    int cube_bits = 0;              // of the cubes in which echoes are looked for
+    bool has_levels = false;   // coordinates that several neighbours share are asked for
+    int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0
+    bool has_pairs = false;    // and those that go with the coordinate before; needs level_bits
+    bool has_along = false;    // tets: new vertices may go on with the border
+    RoundFaceList rounds;      // only if has_along
+    bool has_follows = false;  // parts repeat: see follows.h
+    std::vector<Echo> echoes;  // at most kMostEchoes
+    int cube_bits = 0;         // of the cubes in which echoes are looked for
     // Lossless tets: integers that stand for the numbers where the walk asks for places.
     bool has_stand_ins = false;
     Point3 place_origin{};

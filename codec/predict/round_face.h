@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,6 +23,16 @@ struct RoundFace {
     bool operator==(const RoundFace&) const = default;
 };
 inline constexpr std::size_t kMostRoundFaces = 16;
+
+// Those of a mesh. What lies less than 2^slack units off a face is on it.
+struct RoundFaceList {
+    std::array<RoundFace, kMostRoundFaces> face{};
+    std::size_t count = 0;
+    int slack = 0;
+
+    bool empty() const { return count == 0; }
+    bool operator==(const RoundFaceList&) const = default;
+};
 inline constexpr std::int64_t kMostRoundLength = std::int64_t{1} << 58;
 inline constexpr std::int64_t kMostRoundAxis = std::int64_t{1} << 51;
 inline constexpr int kMostRoundSlack = 53;
@@ -35,63 +44,20 @@ struct RoundShape {
     double radius = 0, ring = 0;
 };
 
-inline RoundShape shape_of(const RoundFace& face) {
-    RoundShape shape{face.kind,
-                     {},
-                     {},
-                     static_cast<double>(face.radius) / 16,
-                     static_cast<double>(face.ring) / 16};
-    for (std::size_t k = 0; k < 3; ++k) {
-        shape.centre[k] = static_cast<double>(face.centre[k]) / 16;
-        shape.axis[k] = static_cast<double>(face.axis[k]);
-    }
-    const double l = length(shape.axis);
-    for (double& x : shape.axis) x = l > 0 ? x / l : 0;
-    return shape;
-}
+RoundShape shape_of(const RoundFace& face);
 
 // Where a point is beside a face: how far out, below 0 if inside, and which way is out.
 struct Outside {
     double distance = 0;
     Point3 way{};
 };
-inline Outside outside_of(const RoundShape& shape, const Point3& p) {
-    Point3 q = minus(p, shape.centre);
-    double h = 0;
-    if (shape.kind != RoundKind::sphere) {
-        h = dot(q, shape.axis);
-        for (std::size_t k = 0; k < 3; ++k) q[k] = q[k] - h * shape.axis[k];
-    }
-    const double l = length(q);
-    for (double& x : q) x = l > 0 ? x / l : 0;
-    if (shape.kind != RoundKind::torus) return {l - shape.radius, q};
-    const double s = l - shape.ring, t = std::sqrt(s * s + h * h);
-    for (std::size_t k = 0; k < 3; ++k) q[k] = t > 0 ? (s * q[k] + h * shape.axis[k]) / t : 0;
-    return {t - shape.radius, q};
-}
+Outside outside_of(const RoundShape& shape, const Point3& p);
 
 // The point of the face nearest to p, or nearly so.
-inline Point3 moved_onto(const RoundShape& shape, const Point3& p) {
-    const Outside outside = outside_of(shape, p);
-    Point3 q;
-    for (std::size_t k = 0; k < 3; ++k) q[k] = p[k] - outside.distance * outside.way[k];
-    return q;
-}
+Point3 moved_onto(const RoundShape& shape, const Point3& p);
 
 // p with another coordinate `axis`, such that it is on the face; p's own if Newton's method does
-// not find any.
-inline double coordinate_on(const RoundShape& shape, Point3 p, std::size_t axis) {
-    constexpr int kSteps = 8;
-    constexpr double kSteep = 1.0 / 16, kNear = 1.0 / 16;
-    const double start = p[axis];
-    for (int i = 0; i < kSteps; ++i) {
-        const Outside outside = outside_of(shape, p);
-        if (std::abs(outside.way[axis]) < kSteep) return start;
-        const double step = outside.distance / outside.way[axis];
-        p[axis] = p[axis] - step;
-        if (std::abs(step) < kNear) return p[axis];
-    }
-    return start;
-}
+// not find any in eight steps.
+double coordinate_on(const RoundShape& shape, Point3 p, std::size_t axis);
 
 }  // namespace ravel

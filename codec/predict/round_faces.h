@@ -1,6 +1,7 @@
 // The round faces of a mesh, and which of its vertices lie on them.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,27 +16,27 @@ namespace ravel {
 class RoundFaces {
   public:
     RoundFaces() = default;
-    // What lies less than 2^slack units off a face is on it.
-    RoundFaces(const std::vector<RoundFace>& faces, int slack) : slack_(std::ldexp(1.0, slack)) {
-        for (const RoundFace& face : faces) shapes_.push_back(shape_of(face));
+    explicit RoundFaces(const RoundFaceList& faces)
+        : count_(faces.count), near_(std::ldexp(1.0, faces.slack)) {
+        for (std::size_t f = 0; f < count_; ++f) shapes_[f] = shape_of(faces.face[f]);
     }
 
-    bool empty() const { return shapes_.empty(); }
+    bool empty() const { return count_ == 0; }
     const RoundShape& operator[](std::size_t face) const { return shapes_[face]; }
 
     bool holds(std::size_t face, const Point3& p) const {
-        return std::abs(outside_of(shapes_[face], p).distance) < slack_;
+        return std::abs(outside_of(shapes_[face], p).distance) < near_;
     }
     // Once per vertex, in order.
     void insert(const Point3& p) {
-        if (shapes_.empty()) return;
+        if (count_ == 0) return;
         std::uint32_t on = 0;
-        for (std::size_t f = 0; f < shapes_.size(); ++f) on |= std::uint32_t{holds(f, p)} << f;
+        for (std::size_t f = 0; f < count_; ++f) on |= std::uint32_t{holds(f, p)} << f;
         on_.push_back(on);
     }
     // The first face on which all of a `border` stencil's triangle lies, or kNone.
     Id of(const Stencil& border) const {
-        if (shapes_.empty()) return kNone;
+        if (count_ == 0) return kNone;
         const std::uint32_t on = on_[border.at[0]] & on_[border.at[1]] & on_[border.at[2]];
         return on == 0 ? kNone : static_cast<Id>(std::countr_zero(on));
     }
@@ -46,8 +47,9 @@ class RoundFaces {
     }
 
   private:
-    double slack_ = 1;
-    std::vector<RoundShape> shapes_;
+    std::size_t count_ = 0;
+    double near_ = 1;
+    std::array<RoundShape, kMostRoundFaces> shapes_{};
     std::vector<std::uint32_t> on_;  // per vertex, a bit per face
 };
 

@@ -70,9 +70,10 @@ void tell_block(Fields f, bool tets) {
 namespace {
 
 void tell_round_faces(Fields& f, PositionFormat& format) {
-    format.rounds.resize(f.u8("round_count"));
-    format.round_slack = static_cast<int>(f.u8("round_slack"));
-    for (RoundFace& face : format.rounds) {
+    format.rounds.count = f.u8("round_count");
+    format.rounds.slack = static_cast<int>(f.u8("round_slack"));
+    for (std::size_t i = 0; i < format.rounds.count; ++i) {
+        RoundFace& face = format.rounds.face[i];
         face.kind = static_cast<RoundKind>(f.u8("kind"));
         for (std::int64_t& x : face.centre) x = f.signed_varint("centre");
         if (face.kind != RoundKind::sphere)

@@ -81,7 +81,7 @@ TEST_CASE("a coordinate that a face does not tell stays") {
 }
 
 TEST_CASE("vertices lie on the faces that hold them, and a triangle on those of all its corners") {
-    RoundFaces faces({kSphere, kTorus}, 0);
+    RoundFaces faces({{kSphere, kTorus}, 2, 0});
     for (const Point3& p : {Point3{11, 2, 3}, Point3{1, 12, 3}, Point3{1, 2, 13}, Point3{12, 0, 0},
                             Point3{0, 12, 0}, Point3{10, 0, 2}, Point3{50, 50, 50}})
         faces.insert(p);
@@ -94,6 +94,6 @@ TEST_CASE("vertices lie on the faces that hold them, and a triangle on those of 
     CHECK(face(0, 1, 6) == kNone);
     CHECK(faces.holds(0, {11.9, 2, 3}));
     CHECK(!faces.holds(0, {12, 2, 3}));
-    CHECK(RoundFaces({kSphere}, 4).holds(0, {26.9, 2, 3}));
+    CHECK(RoundFaces({{kSphere}, 1, 4}).holds(0, {26.9, 2, 3}));
     CHECK(RoundFaces().of(stencil_of(Configuration::border, {0, 1, 2, 6})) == kNone);
 }

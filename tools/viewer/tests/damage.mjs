@@ -22,7 +22,7 @@ function crc32c(bytes) {
 // Where each section's bytes are (spec/format.md, container).
 function sections_of(file) {
     const sections = [];
-    let at = 5;
+    let at = 6;
     const varint = () => {
         let value = 0, factor = 1;
         for (;;) {
@@ -32,8 +32,7 @@ function sections_of(file) {
             if (byte < 128) return value;
         }
     };
-    while (at < file.length && file[at] !== 0) {
-        ++at;
+    while (at < file.length - 4) {
         const size = varint(), packed = size % 2 === 1;
         if (packed) varint();
         const length = Math.floor(size / 2);
