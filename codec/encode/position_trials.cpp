@@ -306,6 +306,16 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
                    (vertices < kSmall || echo_ratio > kSurely);
         },
         [](PositionFormat& f) { f.echoes.clear(); });
+    // And what was not taken may be better in its place.
+    const auto has_echoes_alone = [&](const PositionFormat& f) {
+        return f.level_bits == 0 && !f.echoes.empty() && vertices < kLarge;
+    };
+    const auto take_levels_instead = [](PositionFormat& f) {
+        f.echoes.clear();
+        f.level_bits = f.cube_bits;
+        f.has_levels = f.has_pairs = true;
+    };
+    offer(kRefused, has_echoes_alone, take_levels_instead);
     if (may_go_along)
         offer(kTaken, always, [&](PositionFormat& f) {
             f.has_along = true;
@@ -330,8 +340,12 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
             [](PositionFormat& f) { f.echoes.clear(); });
     }
     // Who follows asks for neither echoes nor levels, so that costs less time than others.
-    if (may_follow)
+    if (may_follow) {
         offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; }).worth = kWorth / 4;
+        offer(
+            kRefused, [&](const PositionFormat& f) { return f.has_follows && has_echoes_alone(f); },
+            take_levels_instead);
+    }
     // Where parts repeat, a guess from fewer points is carried over with fewer roundings.
     if (has_triangles(record))
         offer(

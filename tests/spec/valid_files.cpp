@@ -133,16 +133,22 @@ std::vector<ValidFile> valid_files() {
             return i % 3 == 2 ? double(p * p * 31 % 7 * 37) : std::nearbyint(x * 8) * 41;
         }));
     add_made("lattice", "multiples of a sixteenth", "terrain:size=4x3,double", lattice);
-    add("mirrored", "a sheet and its mirror image: echoes",
-        with_coordinates(made("grid:size=16x3"), [](std::size_t i, double x) {
+    // One side of the sheet is `off` on the second axis at every third point.
+    const auto mirrored = [](double off) {
+        return with_coordinates(made("grid:size=16x3"), [off](std::size_t i, double x) {
             // Column c of 17, mirrored at the ninth.
             const std::size_t p = i / 3, c = p % 17, d = c < 8 ? 16 - c : c;
             const std::size_t rough = (p / 17 * 17 + d) * 7919 * 104729 % 100003;
-            if (i % 3 == 1) return std::floor(1000 * x) + double(rough % 997);
+            if (i % 3 == 1)
+                return std::floor(1000 * x) + double(rough % 997) + (c < 8 && p % 3 == 0 ? off : 0);
             if (i % 3 == 2) return double(rough);
             const double side = d == 8 ? 0 : double((d - 8) * 1000 + rough % 499);
             return c < 8 ? -side : side;
-        }));
+        });
+    };
+    add("mirrored", "a sheet and its mirror image: echoes", mirrored(0));
+    add("nearly-mirrored", "a sheet and nearly its mirror image: echoes with an axis off",
+        mirrored(3));
     add("parts", "a rough sheet six times: followers",
         with_coordinates(made("grid:size=4x3,copies=3"), [](std::size_t i, double) {
             const std::size_t p = i / 3, part = p / 20, q = p % 20;
