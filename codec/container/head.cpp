@@ -267,12 +267,13 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.points = b.has_copies ? in.varint() : b.vertices;
     const BlockHead usual = usual_counts(b.cells);
     const unsigned told = in.u8();
+    if (told >> kSeldomTold.size() != 0) return bad("counts that are not known to this version");
     for (std::size_t i = 0; i < kSeldomTold.size(); ++i)
         b.*kSeldomTold[i] = (told >> i & 1) != 0 ? in.varint() : usual.*kSeldomTold[i];
     if (!in.ok()) return bad("the block's head ends too early");
     if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices ||
         b.unused_points >= kMost || b.vertices + b.unused_points >= kMost ||
-        b.components > b.cells || b.links > b.corners || told >> kSeldomTold.size() != 0)
+        b.components > b.cells || b.links > b.corners)
         return bad("the counts of a block contradict each other");
     if (kind == CellKind::tet) {
         b.grid_side = in.varint();

@@ -43,7 +43,7 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
                                      (order ? 24 : 0) + (b.has_precedents ? 6 : 0);
     const std::uint64_t per_cell =
                             (order ? 192 : 80) + (steps ? 112 : 0) + (b.has_precedents ? 6 : 0),
-                        per_vertex = (order ? 776 : 720) + (b.has_copies ? 40 : 0),
+                        per_vertex = (order ? 780 : 724) + (b.has_copies ? 40 : 0),
                         per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;

@@ -79,11 +79,12 @@ bool has_level_faces(const WalkRecord& record, const std::vector<Point3>& places
 // Do enough of the vertices of tets that could go on with a border lie near its plane to pay for
 // asking?
 bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
+    const RoundFaces planes;  // no round ones
     std::size_t asked = 0, near = 0;
     look_at_some(record, [&](const Stencil& s, std::size_t v) {
         if (s.borders == 0) return;
         ++asked;
-        near += stencil_along(s, places, places[v], {}).configuration == Configuration::border;
+        near += stencil_along(s, places, places[v], planes).configuration == Configuration::border;
     });
     return 4 * near > asked;
 }

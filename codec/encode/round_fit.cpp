@@ -1,6 +1,7 @@
 #include "encode/round_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -12,11 +13,6 @@ namespace {
 // Unknowns: the centre, the axis, the radius, the ring.
 constexpr std::size_t kUnknowns = 8;
 using Unknowns = Row<kUnknowns>;
-
-Point3 unit(const Point3& a) {
-    const double l = length(a);
-    return l > 0 ? Point3{a[0] / l, a[1] / l, a[2] / l} : a;
-}
 
 // In place of a torus' centre stands the middle of its tube on the side `aside`: a little more or
 // less of a ring then moves nothing near by.
@@ -42,7 +38,7 @@ RoundShape shape_with(RoundKind kind, const Unknowns& x, const Point3& aside) {
 }
 // Which of them a kind has: the first so many of these.
 constexpr std::array<std::size_t, kUnknowns> kOrder{0, 1, 2, 6, 3, 4, 5, 7};
-std::size_t unknowns_of(RoundKind kind) {
+std::size_t unknown_count(RoundKind kind) {
     return kind == RoundKind::sphere ? 4 : kind == RoundKind::cylinder ? 7 : 8;
 }
 
@@ -182,7 +178,7 @@ std::vector<RoundShape> rounds_near(const Patch& patch) {
 double refine(RoundShape& shape, const std::vector<Point3>& points, double size, int steps) {
     constexpr double kStep = 1e-6, kDone = 0.999;
     constexpr int kTries = 4;
-    const std::size_t n = unknowns_of(shape.kind);
+    const std::size_t n = unknown_count(shape.kind);
     Point3 mean{};
     for (const Point3& p : points)
         for (std::size_t k = 0; k < 3; ++k) mean[k] += p[k] / static_cast<double>(points.size());

@@ -1,6 +1,7 @@
 #include "encode/round_search.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -131,6 +132,8 @@ class Search {
                     }
             }
         for (const Id v : reached) met_[v] = false;
+        std::sort(triangles.begin(), triangles.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
         mean = {};
         for (const Id v : reached)
             for (std::size_t k = 0; k < 3; ++k)
@@ -219,8 +222,11 @@ class Search {
                     sixteenths(shape.ring, found.face.ring);
         for (std::size_t k = 0; k < 3; ++k)
             fits = fits && sixteenths(shape.centre[k] + mean[k], found.face.centre[k]);
-        if (!fits) return {};
-        if (shape.kind != RoundKind::sphere) found.face.axis = whole_axis(shape.axis);
+        if (!fits || found.face.radius == 0) return {};
+        if (shape.kind != RoundKind::sphere) {
+            if (!(length(shape.axis) > 0.5)) return {};
+            found.face.axis = whole_axis(shape.axis);
+        }
         const RoundShape stored = shape_of(found.face);
         for (const Id v : border_.some)
             if (!taken_[v] && holds(stored, places_[v])) found.vertices += border_.stride;

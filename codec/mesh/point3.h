@@ -18,6 +18,11 @@ inline double dot(const Point3& a, const Point3& b) {
 inline double length(const Point3& a) {
     return std::sqrt(dot(a, a));
 }
+// Of length 1, or 0 if a is.
+inline Point3 unit(const Point3& a) {
+    const double l = length(a);
+    return l > 0 ? Point3{a[0] / l, a[1] / l, a[2] / l} : Point3{};
+}
 inline Point3 cross(const Point3& a, const Point3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

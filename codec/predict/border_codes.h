@@ -3,9 +3,7 @@
 // one, the triangle's plane otherwise. On either side: `Coder` writes or reads flags.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +20,7 @@ class BorderCodes {
     BorderCodes(Coder& coder, const PositionFormat& format)
         : coder_(coder), faces_(format.rounds) {}
 
+    void reserve(std::size_t vertices) { faces_.reserve(vertices); }
     // Once per vertex, in order.
     void insert(const Point3& value) { faces_.insert(value); }
 
@@ -50,8 +49,11 @@ class BorderCodes {
         for (std::size_t e = 0; e < 3; ++e) {
             if ((tet.borders >> e & 1) == 0) continue;
             const Stencil border = along_border(tet, e);
+            const OffPlane off = off_plane(border, values, truth);
+            if (!(off.normal_square > 0)) continue;
             const Id face = faces_.of(border);
-            if (face == kNone ? lies_in_plane(border, values, truth) : faces_.holds(face, truth))
+            if (face != kNone ? faces_.holds(face, truth)
+                              : off.distance * off.distance < off.normal_square)
                 return true;
         }
         return false;

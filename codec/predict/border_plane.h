@@ -81,11 +81,4 @@ inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
     const OffPlane off = off_plane(border, values, value);
     return 16 * off.distance * off.distance < off.edge_square * off.normal_square;
 }
-// Does it lie less than a unit off?
-inline bool lies_in_plane(const Stencil& border, const std::vector<Point3>& values,
-                          const Point3& value) {
-    const OffPlane off = off_plane(border, values, value);
-    return off.distance * off.distance < off.normal_square;
-}
-
 }  // namespace ravel

@@ -2,9 +2,7 @@
 // one says, and by how much the others are off. On either side: `Coder` writes or reads flags.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "predict/follow_sizes.h"
@@ -34,21 +32,21 @@ class EarlierCodes {
 
     // A vertex that is told, before its axes. Is all of it the same, to the last bit?
     bool begin(const Earlier& found, bool follows, const Position& truth) {
-        now_ = follows ? &led_ : &echoed_;
+        is_led_ = follows;
         sames_ = 0;
-        all_same_ = may_be_same(found) && code_all_same(coder_, *now_, found, truth);
+        all_same_ = may_be_same(found) && code_all_same(coder_, now(), found, truth);
         return all_same_;
     }
     bool same(const Earlier& found, std::size_t axis, const Number& truth) {
         return all_same_ || (may_be_same(found) && sames_ != 3 &&
-                             code_same(coder_, *now_, sames_, found, axis, truth));
+                             code_same(coder_, now(), sames_, found, axis, truth));
     }
     // By how much an axis that is not the same is off.
     std::int64_t residual(const Earlier& found, std::size_t axis, std::int64_t r) {
-        return code_off(coder_, *now_, found, axis, r);
+        return code_off(coder_, now(), found, axis, r);
     }
     void end() {
-        if (now_->leads) now_->sizes.end();
+        if (is_led_) led_.sizes.end();
     }
 
     // The bits that all this would take, for a writer.
@@ -59,8 +57,10 @@ class EarlierCodes {
         std::uint32_t sames = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!may_be_same(found) || sames == 3 ||
-                !code_same(pricing, state, sames, found, axis, truth[axis]))
+                !code_same(pricing, state, sames, found, axis, truth[axis])) {
                 code_off(pricing, state, found, axis, truth[axis].whole - found.whole[axis]);
+                pricing.bits += rest_bits(format_.numbers, truth[axis].whole);
+            }
         return pricing.bits;
     }
     // And the flag, beyond what it takes to say no.
@@ -78,6 +78,7 @@ class EarlierCodes {
         std::uint32_t far() const { return leads ? sizes.far() : 0; }
     };
 
+    State& now() { return is_led_ ? led_ : echoed_; }
     bool may_be_same(const Earlier& found) const {
         return found.copies || format_.numbers.digits == 0;
     }
@@ -130,8 +131,7 @@ class EarlierCodes {
         led.leads = true;
         return led;
     }();
-    State* now_ = &echoed_;
-    bool all_same_ = false;
+    bool is_led_ = false, all_same_ = false;  // the vertex that is being coded
     std::uint32_t sames_ = 0, followed_ = 0;
 };
 

@@ -71,6 +71,12 @@ inline int rest_digits(const NumberFormat& format, std::int64_t whole) {
     return d > 0 ? d : 0;
 }
 
+// About how many bits they take.
+inline int rest_bits(const NumberFormat& format, std::int64_t whole) {
+    const int digits = rest_digits(format, whole);
+    return format.base == NumberBase::decimal ? (10 * digits + 2) / 3 : digits;
+}
+
 // Rounded as floats are, whatever its exponent, by its bits. GCC 12 leaves the conversion to float
 // and back out where it makes vectors of it.
 inline double to_24_bits(double x) {

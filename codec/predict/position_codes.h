@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -56,6 +55,7 @@ class PositionCodes {
         if (keeps_exact_) exact_.reserve(vertices);
         sizes_.reserve(vertices);
         if (echoes_) echoes_->reserve(vertices);
+        if (border_) border_->reserve(vertices);
     }
 
     // False: a value no encoder writes.
@@ -330,7 +330,7 @@ class PositionCodes {
                                  axis == 0 ? nullptr : &value[axis - 1], has)) {
                 code_residual(pricing, sizes_.scale(axis, axis), r,
                               sign_by(axis, part_of(g[axis], whole[axis])));
-                pricing.bits += rest_digits(format_.numbers, truth[axis].whole);
+                pricing.bits += rest_bits(format_.numbers, truth[axis].whole);
             }
             sizes_.coded_residual(axis, r);
             most = std::max(most, pricing.bits - before);

@@ -179,7 +179,8 @@ class ResidualSizes {
         if (step == 2) e = ((32 - shares_.both) * e + shares_.both * 8 * done_) >> 5;
         return of_kind(scale_of(e));
     }
-    // Of the last axis of a vertex that goes on with a border: how far off its plane it is.
+    // Of the last axis of a vertex that goes on with a border: how far off its plane, or its round
+    // face, it is.
     Scale scale_off_plane() const {
         const std::uint64_t near = off_count_ == 0 ? usual_off_ : part(16 * off_sum_, off_count_);
         return of_kind(scale_of((29 * near + 3 * usual_off_) >> 5));

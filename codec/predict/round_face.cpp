@@ -14,8 +14,7 @@ RoundShape shape_of(const RoundFace& face) {
         shape.centre[k] = static_cast<double>(face.centre[k]) / 16;
         shape.axis[k] = static_cast<double>(face.axis[k]);
     }
-    const double l = length(shape.axis);
-    for (double& x : shape.axis) x = l > 0 ? x / l : 0;
+    shape.axis = unit(shape.axis);
     return shape;
 }
 
@@ -27,7 +26,7 @@ Outside outside_of(const RoundShape& shape, const Point3& p) {
         for (std::size_t k = 0; k < 3; ++k) q[k] = q[k] - h * shape.axis[k];
     }
     const double l = length(q);
-    for (double& x : q) x = l > 0 ? x / l : 0;
+    q = unit(q);
     if (shape.kind != RoundKind::torus) return {l - shape.radius, q};
     const double s = l - shape.ring, t = std::sqrt(s * s + h * h);
     for (std::size_t k = 0; k < 3; ++k) q[k] = t > 0 ? (s * q[k] + h * shape.axis[k]) / t : 0;

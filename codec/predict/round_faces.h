@@ -27,6 +27,9 @@ class RoundFaces {
     bool holds(std::size_t face, const Point3& p) const {
         return std::abs(outside_of(shapes_[face], p).distance) < near_;
     }
+    void reserve(std::size_t vertices) {
+        if (count_ > 0) on_.reserve(vertices);
+    }
     // Once per vertex, in order.
     void insert(const Point3& p) {
         if (count_ == 0) return;
@@ -59,7 +62,9 @@ inline Stencil stencil_along(const Stencil& met, const std::vector<Point3>& valu
     for (std::size_t e = 0; e < 3; ++e) {
         if ((met.borders >> e & 1) == 0) continue;
         const Stencil border = along_border(met, e);
-        if (faces.lies_along(border, faces.of(border), values, value)) return border;
+        if (off_plane(border, values, value).normal_square > 0 &&
+            faces.lies_along(border, faces.of(border), values, value))
+            return border;
     }
     return met;
 }

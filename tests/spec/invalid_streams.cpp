@@ -143,7 +143,7 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
-    add(41, "fitted", "weights of a twentieth set",
+    add(41, "fitted", "fitted is 2^19",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;
             out.u8(0);
@@ -151,42 +151,54 @@ void InvalidMaker::positions() {
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));
-    // Of one face, but its count; with `has_along` or not.
-    const auto round = [&](const char* name, const char* says, unsigned count, unsigned slack,
-                           const RoundFace& face, unsigned flags = 2) {
-        add(8, name, says, raw_changed("box", SectionId::positions, [=](Bytes& raw) {
-                ByteWriter out;
-                out.u8(static_cast<std::uint8_t>(flags));
-                out.varint(kHasRounds);
-                out.u8(static_cast<std::uint8_t>(count));
-                out.u8(static_cast<std::uint8_t>(slack));
+    // Faces so far off that no vertex lies on them, put in before the bits: nothing but the head
+    // is wrong. `bits_at`: in the section as it is, which has no weights.
+    constexpr std::int64_t kFar = kMostRoundLength;
+    const RoundFace far{RoundKind::torus, {kFar, -kFar, kFar}, {0, 0, 1}, 32, 64};
+    const auto with_rounds = [&](const char* file, std::size_t bits_at, unsigned count,
+                                 unsigned slack, const RoundFace& face) {
+        return raw_changed(file, SectionId::positions, [=](Bytes& raw) {
+            ByteWriter out;
+            out.u8(static_cast<std::uint8_t>(raw[0]));
+            out.varint(kHasRounds);
+            out.raw(std::span(raw).first(bits_at).subspan(2));
+            out.u8(static_cast<std::uint8_t>(count));
+            out.u8(static_cast<std::uint8_t>(slack));
+            for (unsigned f = 0; f < count; ++f) {
                 out.u8(static_cast<std::uint8_t>(face.kind));
                 for (const std::int64_t x : face.centre) out.varint(zigzag(x));
                 for (const std::int64_t x : face.axis) out.varint(zigzag(x));
                 out.varint(static_cast<std::uint64_t>(face.radius));
-                out.varint(static_cast<std::uint64_t>(face.ring));
-                raw = out.take();
-            }));
+                if (face.kind == RoundKind::torus)
+                    out.varint(static_cast<std::uint64_t>(face.ring));
+            }
+            out.raw(std::span(raw).subspan(bits_at));
+            raw = out.take();
+        });
     };
-    constexpr std::int64_t kLength = kMostRoundLength + 1, kAxis = -kMostRoundAxis - 1;
-    const RoundFace torus{RoundKind::torus, {0, 0, 0}, {0, 0, 1}, 32, 64};
+    for (const unsigned count : {1u, 16u})
+        if (!decode(with_rounds("shell", 2, count, 53, far)))
+            throw std::runtime_error("faces that are far off are refused");
+    const auto round = [&](const char* name, const char* says, const RoundFace& face,
+                           unsigned count = 1, unsigned slack = 0) {
+        add(8, name, says, with_rounds("shell", 2, count, slack, face));
+    };
     const auto changed = [&](auto change) {
-        RoundFace face = torus;
+        RoundFace face = far;
         change(face);
         return face;
     };
-    round("alone", "round faces, but nothing goes on with borders", 1, 0, torus, 0);
-    round("none", "no round faces", 0, 0, torus);
-    round("seventeen", "seventeen round faces", 17, 0, torus);
-    round("slack", "round_slack is 54", 1, 54, torus);
-    round("kind", "a face of kind 3", 1, 0,
-          changed([](RoundFace& f) { f.kind = RoundKind::count; }));
-    round("centre", "a centre at 2^58 + 1", 1, 0,
-          changed([](RoundFace& f) { f.centre[1] = kLength; }));
-    round("axis", "an axis of -2^51 - 1", 1, 0, changed([](RoundFace& f) { f.axis[2] = kAxis; }));
-    round("radius", "a radius of 2^58 + 1", 1, 0,
-          changed([](RoundFace& f) { f.radius = kLength; }));
-    round("ring", "a ring of 2^58 + 1", 1, 0, changed([](RoundFace& f) { f.ring = kLength; }));
+    add(8, "alone", "round faces, but nothing goes on with borders",
+        with_rounds("box", 3, 1, 0, far));
+    round("none", "no round faces", far, 0);
+    round("seventeen", "seventeen round faces", far, 17);
+    round("slack", "round_slack is 54", far, 1, 54);
+    round("kind", "a face of kind 3", changed([](RoundFace& f) { f.kind = RoundKind::count; }));
+    round("centre", "a centre at 2^58 + 1", changed([](RoundFace& f) { ++f.centre[0]; }));
+    round("axis", "an axis of -2^51 - 1",
+          changed([](RoundFace& f) { f.axis[2] = -kMostRoundAxis - 1; }));
+    round("radius", "a radius of 2^58 + 1", changed([](RoundFace& f) { f.radius = kFar + 1; }));
+    round("ring", "a ring of 2^58 + 1", changed([](RoundFace& f) { f.ring = kFar + 1; }));
     const auto numbers = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         Position p;
         p[0].whole = x, p[1].whole = y, p[2].whole = z;

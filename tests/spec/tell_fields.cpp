@@ -1,5 +1,6 @@
 #include "spec/tell_fields.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace ravel::test {
@@ -72,6 +73,7 @@ namespace {
 void tell_round_faces(Fields& f, PositionFormat& format) {
     format.rounds.count = f.u8("round_count");
     format.rounds.slack = static_cast<int>(f.u8("round_slack"));
+    format.rounds.count = std::min(format.rounds.count, kMostRoundFaces);
     for (std::size_t i = 0; i < format.rounds.count; ++i) {
         RoundFace& face = format.rounds.face[i];
         face.kind = static_cast<RoundKind>(f.u8("kind"));

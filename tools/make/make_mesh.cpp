@@ -150,7 +150,7 @@ std::vector<RecipeHelp> recipe_help() {
         {"tets:box=40x8x8,round[,bend=90]", "a rod, straight or bent"},
         {"tets:ball=12", "the same cubes pushed onto a ball"},
         {"tets:shell=12", "a ball with a hollow inside"},
-        {"tets:...,slide=0.5", "points move, those of the border along it"},
+        {"tets:...,slide=0.5", "points move, those of the outer border along it"},
         {"soup:polygons=200[,seed=S]", "random polygons with every kind of dirt"},
         {"soup:tets=200[,seed=S]", "random tets with every kind of dirt"},
         {"tiny:NAME", tiny},

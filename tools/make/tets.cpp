@@ -98,7 +98,7 @@ void round_off(Builder& builder, double side) {
     }
 }
 
-// Moves points by up to half of `most`; those of the box's border stay on it.
+// Moves points by up to half of `most`; those of the box's own border stay on it.
 void slide(Builder& builder, const Sizes& size, double most, Random& random) {
     if (most == 0) return;
     for (std::size_t i = 0; i < builder.coordinates.size(); ++i) {
