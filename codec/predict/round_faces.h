@@ -21,7 +21,6 @@ class RoundFaces {
         for (std::size_t f = 0; f < count_; ++f) shapes_[f] = shape_of(faces.face[f]);
     }
 
-    bool empty() const { return count_ == 0; }
     const RoundShape& operator[](std::size_t face) const { return shapes_[face]; }
 
     bool holds(std::size_t face, const Point3& p) const {
