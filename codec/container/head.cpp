@@ -24,15 +24,16 @@ double get(ByteReader& in, bool narrow) {
     return narrow ? static_cast<double>(std::bit_cast<float>(in.u32())) : in.f64();
 }
 
-constexpr std::uint16_t kWholeBound = 65535;
-double error_of(std::uint16_t share, double bound) {
-    return bound * (share / double{kWholeBound});
+// An error is kept as a number of steps that are the finer the less it is.
+constexpr unsigned kWholeBound = 255;
+double error_of(unsigned steps, double bound) {
+    const double share = steps / double{kWholeBound};
+    return bound * (share * share * share);
 }
-std::uint16_t share_of(double error, double bound) {
-    const double share = error / bound * kWholeBound;
-    auto least = static_cast<std::uint16_t>(share > 0 ? std::min<double>(share, kWholeBound) : 0);
+std::uint8_t steps_above(double error, double bound) {
+    unsigned least = 0;
     while (least < kWholeBound && error_of(least, bound) < error) ++least;
-    return least;
+    return static_cast<std::uint8_t>(least);
 }
 
 constexpr double kMostSteps = 0x1p53;
@@ -40,37 +41,74 @@ double steps_of(double x, double step) {
     return std::floor(x / step + 0.5);
 }
 
-void write_grid(ByteWriter& out, const Head& head, bool narrow, bool whole_origin, bool half_step) {
-    out.u8(head.position_bits);
-    put(out, head.step, narrow);
-    for (const double x : head.origin)
-        if (whole_origin)
-            out.varint(zigzag(static_cast<std::int64_t>(steps_of(x, head.step))));
-        else
-            put(out, x, narrow);
-    if (!half_step) put(out, head.bound, narrow);
-    out.u16(share_of(head.error, head.bound));
+// How the floats of a grid are told.
+struct GridForm {
+    bool narrow = false;        // as float32
+    bool whole_origin = false;  // the origin in steps
+    bool coarse = false;        // or in so many at a time (see origin_unit)
+    bool half_step = false;     // no bound, as it is half a step
+};
+constexpr unsigned kCoarse = 128;  // beside position_bits
+
+GridForm form_of(const Head& head) {
+    if (head.lossless) return {};
+    const auto all_in = [&](double unit) {
+        return std::all_of(std::begin(head.origin), std::end(head.origin),
+                           [&](double x) { return is_whole_steps(x, unit); });
+    };
+    GridForm form;
+    form.whole_origin = all_in(head.step);
+    const double unit = origin_unit(head.position_bits);
+    const bool zero = std::all_of(std::begin(head.origin), std::end(head.origin),
+                                  [](double x) { return x == 0; });
+    form.coarse = form.whole_origin && !zero && unit > 1 && all_in(head.step * unit);
+    form.half_step = head.bound == head.step / 2;
+    form.narrow = fits_float32(head.step) && (form.half_step || fits_float32(head.bound)) &&
+                  (form.whole_origin ||
+                   std::all_of(std::begin(head.origin), std::end(head.origin), fits_float32));
+    return form;
 }
-bool read_grid(ByteReader& in, Head& head, bool narrow, bool whole_origin, bool half_step) {
-    head.position_bits = in.u8();
-    head.step = get(in, narrow);
-    bool sane = std::isfinite(head.step) && head.step > 0 && head.position_bits <= 64;
+
+void write_grid(ByteWriter& out, const Head& head, const GridForm& form) {
+    out.u8(static_cast<std::uint8_t>(head.position_bits | (form.coarse ? kCoarse : 0)));
+    put(out, head.step, form.narrow);
+    const double unit = form.coarse ? head.step * origin_unit(head.position_bits) : head.step;
+    for (const double x : head.origin)
+        if (form.whole_origin)
+            out.varint(zigzag(static_cast<std::int64_t>(steps_of(x, unit))));
+        else
+            put(out, x, form.narrow);
+    if (!form.half_step) put(out, head.bound, form.narrow);
+    out.u8(steps_above(head.error, head.bound));
+}
+bool read_grid(ByteReader& in, Head& head, GridForm form) {
+    const unsigned bits = in.u8();
+    form.coarse = (bits & kCoarse) != 0;
+    head.position_bits = static_cast<std::uint8_t>(bits % kCoarse);
+    head.step = get(in, form.narrow);
+    bool sane = std::isfinite(head.step) && head.step > 0 && head.position_bits <= 64 &&
+                (form.whole_origin || !form.coarse);
     for (double& x : head.origin) {
-        if (whole_origin) {
-            const auto steps = static_cast<double>(unzigzag(in.varint()));
+        if (form.whole_origin) {
+            const double steps = static_cast<double>(unzigzag(in.varint())) *
+                                 (form.coarse ? origin_unit(head.position_bits) : 1);
             sane = sane && std::abs(steps) < kMostSteps;
             x = steps * head.step;
         } else {
-            x = get(in, narrow);
+            x = get(in, form.narrow);
         }
         sane = sane && std::isfinite(x);
     }
-    head.bound = half_step ? head.step / 2 : get(in, narrow);
-    head.error = error_of(in.u16(), head.bound);
+    head.bound = form.half_step ? head.step / 2 : get(in, form.narrow);
+    head.error = error_of(in.u8(), head.bound);
     return sane && std::isfinite(head.bound) && head.bound >= 0;
 }
 
 }  // namespace
+
+double origin_unit(int position_bits) {
+    return std::ldexp(1.0, std::max(position_bits - 6, 0));
+}
 
 bool is_whole_steps(double x, double step) {
     const double steps = steps_of(x, step);
@@ -78,7 +116,7 @@ bool is_whole_steps(double x, double step) {
 }
 
 double kept_error(double error, double bound) {
-    return error_of(share_of(error, bound), bound);
+    return error_of(steps_above(error, bound), bound);
 }
 
 const char* name_of(SectionId id) {
@@ -107,20 +145,14 @@ const char* name_of(SectionId id) {
 
 Bytes write_head(const Head& head) {
     ByteWriter out;
-    const auto& origin = head.origin;
-    const bool whole_origin =
-        !head.lossless && std::all_of(std::begin(origin), std::end(origin),
-                                      [&](double x) { return is_whole_steps(x, head.step); });
-    const bool half_step = !head.lossless && head.bound == head.step / 2;
-    const bool narrow =
-        !head.lossless && fits_float32(head.step) && (half_step || fits_float32(head.bound)) &&
-        (whole_origin || std::all_of(std::begin(origin), std::end(origin), fits_float32));
+    const GridForm form = form_of(head);
     out.u8(static_cast<std::uint8_t>(
         (head.kind == CellKind::tet ? 1 : 0) | (head.position_scalar == Scalar::f64 ? 2 : 0) |
-        (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) | (narrow ? 16 : 0) |
-        (whole_origin ? 32 : 0) | (half_step ? 64 : 0)));
-    if (!head.lossless) write_grid(out, head, narrow, whole_origin, half_step);
-    out.varint(head.attributes.size());
+        (head.lossless ? 4 : 0) | (head.keeps_order ? 8 : 0) | (form.narrow ? 16 : 0) |
+        (form.whole_origin ? 32 : 0) | (form.half_step ? 64 : 0) |
+        (head.attributes.empty() ? 0 : 128)));
+    if (!head.lossless) write_grid(out, head, form);
+    if (!head.attributes.empty()) out.varint(head.attributes.size());
     for (const AttributeHead& a : head.attributes) {
         out.text(a.name);
         out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(a.place) | (a.indexed ? 8u : 0u) |
@@ -146,16 +178,17 @@ Result<Head> read_head(ByteReader& in) {
     const auto bad = [&](const char* why) { return Error{Code::corrupt, start, why}; };
     Head head;
     const unsigned flags = in.u8();
-    if (flags > 127 || ((flags & 4) != 0 && (flags & 0x70) != 0))
+    if ((flags & 4) != 0 && (flags & 0x70) != 0)
         return bad("the head has flags this version does not know");
     head.kind = flags & 1 ? CellKind::tet : CellKind::polygon;
     head.position_scalar = flags & 2 ? Scalar::f64 : Scalar::f32;
     head.lossless = (flags & 4) != 0;
     head.keeps_order = (flags & 8) != 0;
     if (!head.lossless &&
-        !read_grid(in, head, (flags & 16) != 0, (flags & 32) != 0, (flags & 64) != 0) && in.ok())
+        !read_grid(in, head, {(flags & 16) != 0, (flags & 32) != 0, false, (flags & 64) != 0}) &&
+        in.ok())
         return bad("the grid of the positions makes no sense");
-    const std::uint64_t count = in.varint();
+    const std::uint64_t count = (flags & 128) != 0 ? in.varint() : 0;
     if (count > in.left() / 4) return bad("more attributes than the head has room for");
     head.attributes.reserve(count);
     for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
@@ -199,8 +232,11 @@ Result<Head> read_head(ByteReader& in) {
 namespace {
 
 // Counts that are told only where they are not as usual.
-constexpr std::array<Index BlockHead::*, 4> kSeldomTold{
-    &BlockHead::unused_points, &BlockHead::companions, &BlockHead::components, &BlockHead::links};
+constexpr std::array<Index BlockHead::*, 5> kSeldomTold{
+    &BlockHead::unused_points, &BlockHead::companions, &BlockHead::components, &BlockHead::links,
+    &BlockHead::shape_step};
+constexpr unsigned kToldShape = 16;  // of tets only
+constexpr std::uint64_t kMostSide = std::uint64_t{1} << 52;
 BlockHead usual_counts(Index cells) {
     BlockHead usual;
     usual.components = cells > 0 ? 1 : 0;
@@ -232,7 +268,6 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     if (kind == CellKind::tet) {
         out.varint(b.grid_side);
         for (const std::uint32_t n : b.grid_count) out.varint(n);
-        out.varint(b.shape_step);
     }
     return out.take();
 }
@@ -267,13 +302,14 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.points = b.has_copies ? in.varint() : b.vertices;
     const BlockHead usual = usual_counts(b.cells);
     const unsigned told = in.u8();
-    if (told >> kSeldomTold.size() != 0) return bad("counts that are not known to this version");
+    if (told >> kSeldomTold.size() != 0 || ((told & kToldShape) != 0 && kind != CellKind::tet))
+        return bad("counts that are not known to this version");
     for (std::size_t i = 0; i < kSeldomTold.size(); ++i)
         b.*kSeldomTold[i] = (told >> i & 1) != 0 ? in.varint() : usual.*kSeldomTold[i];
     if (!in.ok()) return bad("the block's head ends too early");
     if (b.corners >= kMost || b.vertices > b.corners || b.points > b.vertices ||
         b.unused_points >= kMost || b.vertices + b.unused_points >= kMost ||
-        b.components > b.cells || b.links > b.corners)
+        b.components > b.cells || b.links > b.corners || b.shape_step > kMostSide)
         return bad("the counts of a block contradict each other");
     if (kind == CellKind::tet) {
         b.grid_side = in.varint();
@@ -286,10 +322,7 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
             n = static_cast<std::uint32_t>(count);
             left /= grid_blocks_of(count);
         }
-        b.shape_step = in.varint();
-        if (b.grid_side == 0 || b.grid_side > std::uint64_t{1} << 52 ||
-            b.shape_step > std::uint64_t{1} << 52)
-            return bad("a grid of impossible cubes");
+        if (b.grid_side == 0 || b.grid_side > kMostSide) return bad("a grid of impossible cubes");
     }
     if (!in.ok() || in.left() != 0) return bad("the block's head ends too early or too late");
     return b;

@@ -70,7 +70,9 @@ inline std::uint64_t grid_blocks_of(std::uint64_t cubes) {
 // Is x as many steps, none of them broken? The head counts an origin in steps where it is on all
 // axes.
 bool is_whole_steps(double x, double step);
-// What the head keeps of an error: the next of 65536 shares of its bound that is not below it.
+// Or so many steps at a time, where all axes are such: about a 64th of the longest side.
+double origin_unit(int position_bits);
+// What the head keeps of an error: the least of the 256 it can keep that is not below it.
 double kept_error(double error, double bound);
 Bytes write_head(const Head& head);
 Result<Head> read_head(ByteReader& in);

@@ -92,6 +92,8 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
     if (!format) return format.error();
     format->mirrored = block.mirrored;
     format->leaders_move = block.leaders_move;
+    if (file.head.kind == CellKind::tet)
+        format->usual_start = usual_start_of(*format, static_cast<double>(block.grid_side));
     WalkLimits limits;
     limits.cells = static_cast<Id>(block.cells);
     limits.corners = static_cast<Id>(block.corners);

@@ -85,12 +85,17 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
                (format.level_bits > 0 || !format.has_pairs);
     }
     if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
-    for (std::size_t c = 0; c < kWeightSets; ++c)
-        for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i) {
-            const std::int64_t w = unzigzag(in.varint());
-            sane = sane && w >= -32768 && w <= 32767;
-            format.weights[c][i] = static_cast<std::int16_t>(w);
+    for (std::size_t c = 0; c < kWeightSets && sane; ++c) {
+        if ((fitted >> c & 1) == 0) continue;
+        const std::uint8_t grain = in.u8();
+        sane = grain <= kMostGrain;
+        for (std::size_t i = 0; i < kFeatureCount[c] && sane; ++i) {
+            const std::int64_t steps = unzigzag(in.varint()),
+                               most = std::int64_t{1} << (15 - grain);
+            sane = steps >= -most && steps < most;
+            format.weights[c][i] = static_cast<std::int16_t>(sane ? steps * (1 << grain) : 0);
         }
+    }
     if ((fitted & kHasRounds) != 0 && sane) sane = read_round_faces(in, format.rounds);
     if (!sane || !in.ok())
         return Error{Code::corrupt, in.at(), "the head of the positions makes no sense"};

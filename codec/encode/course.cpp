@@ -101,6 +101,7 @@ CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& p
     limits.mirrored = positions.format.mirrored = block.mirrored;
     choose_leaders(complex, plan);
     positions.format.leaders_move = block.leaders_move;
+    positions.format.usual_start = usual_start_of(positions.format, limits.grid_side);
     return plan;
 }
 

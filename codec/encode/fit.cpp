@@ -3,9 +3,12 @@
 #include "encode/fit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "encode/linear_system.h"
+#include "predict/border_plane.h"
 
 namespace ravel {
 namespace {
@@ -16,6 +19,10 @@ struct Sample {
     std::array<double, kFeatures> x;
     double y;  // wanted - base
 };
+
+bool is_finite(const Sample& s) {
+    return std::isfinite(std::accumulate(s.x.begin(), s.x.end(), s.y));
+}
 
 double error_of(const Sample& s, const Solution& w, std::size_t n) {
     double e = s.y;
@@ -41,7 +48,7 @@ double cost_of(const std::vector<Sample>& samples, const Solution& w, std::size_
     return bits;
 }
 
-// Least absolute errors, or nearly, in steps that weights are stored in; `start` to begin with.
+// Least absolute errors, or nearly; `start` to begin with.
 Solution best_for(const std::vector<Sample>& samples, const Solution& start, std::size_t n,
                   double unit) {
     Solution w = start;
@@ -63,40 +70,90 @@ Solution best_for(const std::vector<Sample>& samples, const Solution& start, std
         for (std::size_t i = 0; i < n; ++i) a[i][i] += 1e-6 * a[i][i] + 1e-9 * trace + 1e-30;
         w = solve(a, b, n);
     }
-    Solution rounded{};
+    return w;
+}
+
+using StoredWeights = std::array<std::int16_t, kFeatures>;
+
+// In steps of 2^grain.
+StoredWeights stored(const Solution& w, std::size_t n, int grain, const StoredWeights& otherwise) {
+    StoredWeights all{};
     for (std::size_t i = 0; i < n; ++i) {
-        const double scaled = std::clamp(std::nearbyint(w[i] * 4096 / 4) * 4, -32000.0, 32000.0);
-        rounded[i] = std::isfinite(scaled) ? scaled / 4096 : start[i];
+        const double steps = std::nearbyint(std::ldexp(w[i] * 4096, -grain));
+        const double x = std::ldexp(steps, grain);
+        all[i] = std::isfinite(x) ? static_cast<std::int16_t>(std::clamp(x, -32000.0, 32000.0))
+                                  : otherwise[i];
     }
-    return rounded;
+    return all;
+}
+Solution solution_of(const StoredWeights& weights) {
+    Solution w{};
+    for (std::size_t i = 0; i < kFeatures; ++i) w[i] = weights[i] / 4096.0;
+    return w;
+}
+
+// What it takes to tell them, in bits.
+double bits_of(const StoredWeights& weights, std::size_t n) {
+    const int grain = grain_of(weights);
+    double bytes = 1;
+    for (std::size_t i = 0; i < n; ++i)
+        bytes += std::abs(weights[i] >> grain) < 64     ? 1
+                 : std::abs(weights[i] >> grain) < 8192 ? 2
+                                                        : 3;
+    return 8 * bytes;
 }
 
 // The default weights of a set, none, or fitted ones, whichever cost least with what storing them
 // takes. The samples stand for `share` times as many.
 void choose(const std::vector<Sample>& samples, std::size_t n, double share,
-            std::array<std::int16_t, kFeatures>& weights) {
-    Solution preset{};
-    for (std::size_t i = 0; i < n; ++i) preset[i] = weights[i] / 4096.0;
+            StoredWeights& weights) {
+    const StoredWeights preset = weights;
+    const Solution start = solution_of(preset);
     std::vector<double> sizes;
-    for (const Sample& s : samples) sizes.push_back(std::abs(error_of(s, preset, n)));
+    for (const Sample& s : samples) sizes.push_back(std::abs(error_of(s, start, n)));
     // What counts as no error: a fraction of a unit, or of a large error.
     const auto large = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
     std::nth_element(sizes.begin(), large, sizes.end());
     const double unit = std::max(*large / 4096, 0.25);
-    double least = share * cost_of(samples, preset, n, unit);
-    const auto offer = [&](const Solution& w, double bits_each) {
-        const double bits =
-            share * cost_of(samples, w, n, unit) + bits_each * static_cast<double>(n) + 8;
+    double least = share * cost_of(samples, start, n, unit);
+    const auto offer = [&](const StoredWeights& w) {
+        const double bits = share * cost_of(samples, solution_of(w), n, unit) + bits_of(w, n);
         if (!(bits < least)) return;
         least = bits;
-        for (std::size_t i = 0; i < n; ++i)
-            weights[i] = static_cast<std::int16_t>(std::lround(w[i] * 4096));
+        weights = w;
     };
-    if (preset != Solution{}) offer({}, 1);
-    if (samples.size() >= 24 * n) offer(best_for(samples, preset, n, unit), 16);
+    if (preset != StoredWeights{}) offer({});
+    if (samples.size() < 24 * n) return;
+    const Solution best = best_for(samples, start, n, unit);
+    for (const int grain : {2, 4, 6}) offer(stored(best, n, grain, preset));
+}
+
+// Of a vertex that goes on with a border: how far off it is within the plane, on the axes that are
+// coded first, and, if that is asked for, how high above it, on the last.
+void add_border(const Stencil& stencil, const std::vector<Point3>& values, const Point3& value,
+                const Features& f, std::vector<Sample>& within, std::vector<Sample>* heights) {
+    const BorderPlane plane(stencil, values);
+    const auto [first, second, last] = plane.axes();
+    const Point3 way = minus(value, f.base);
+    const Point3& up = f.feature[kBorderHeight];
+    const double height = dot(way, up) / dot(up, up);
+    for (const std::size_t axis : {first, second}) {
+        Sample sample{{}, way[axis] - height * up[axis]};
+        for (std::size_t i = 0; i < kBorderHeight; ++i) sample.x[i] = f.feature[i][axis];
+        if (is_finite(sample)) within.push_back(sample);
+    }
+    const double steep = dot(up, up) / up[last];
+    const Sample sample{{steep}, height * steep};
+    if (heights != nullptr && is_finite(sample)) heights->push_back(sample);
 }
 
 }  // namespace
+
+int grain_of(const std::array<std::int16_t, kFeatures>& weights) {
+    unsigned any = 0;
+    for (const std::int16_t w : weights) any |= static_cast<std::uint16_t>(w);
+    return any == 0 ? 0 : std::countr_zero(any);
+}
 
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored, const RoundFaces* along) {
@@ -113,6 +170,7 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
     };
     std::array<std::vector<Sample>, kWeightSets> samples;
     std::array<std::size_t, kWeightSets> stride{};
+    std::vector<Sample> heights;
     for (std::size_t v = 0; v < stencils.size(); ++v) {
         const Stencil stencil =
             along != nullptr ? stencil_along(stencils[v], values, values[v], *along) : stencils[v];
@@ -123,20 +181,29 @@ Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Poin
         stride[c] = stride_of(stencil);
         if (seen[c]++ % stride[c] != 0) continue;
         const Features f = features_of(stencil, values, mirrored);
+        if (stencil.configuration == Configuration::border) {
+            add_border(stencil, values, values[v], f, samples[c],
+                       along->of(stencil) == kNone ? &heights : nullptr);
+            continue;
+        }
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            Sample sample;
-            sample.y = values[v][axis] - f.base[axis];
-            double all = sample.y;
-            for (std::size_t i = 0; i < kFeatures; ++i) {
-                sample.x[i] = f.feature[i][axis];
-                all += sample.x[i];
-            }
-            if (std::isfinite(all)) samples[c].push_back(sample);
+            Sample sample{{}, values[v][axis] - f.base[axis]};
+            for (std::size_t i = 0; i < kFeatures; ++i) sample.x[i] = f.feature[i][axis];
+            if (is_finite(sample)) samples[c].push_back(sample);
         }
     }
-    for (std::size_t c = 0; c < samples.size(); ++c)
-        if (!samples[c].empty())
-            choose(samples[c], kFeatureCount[c], static_cast<double>(stride[c]), weights[c]);
+    for (std::size_t c = 0; c < samples.size(); ++c) {
+        if (samples[c].empty()) continue;
+        const auto share = static_cast<double>(stride[c]);
+        if (c != kBorderSet) {
+            choose(samples[c], kFeatureCount[c], share, weights[c]);
+            continue;
+        }
+        choose(samples[c], kBorderHeight, share, weights[c]);
+        StoredWeights height{};
+        if (!heights.empty()) choose(heights, 1, share, height);
+        weights[c][kBorderHeight] = height[0];
+    }
     return weights;
 }
 

@@ -17,4 +17,7 @@ namespace ravel {
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored, const RoundFaces* along);
 
+// In which steps the weights of a set are stored: powers of two of which all are multiples.
+int grain_of(const std::array<std::int16_t, kFeatures>& weights);
+
 }  // namespace ravel

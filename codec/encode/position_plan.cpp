@@ -224,6 +224,26 @@ void shorten_origin(Grid& grid, double asked) {
     }
 }
 
+// An origin that takes fewer bytes to tell, farther below the box; unless the grid is so coarse
+// that values would be much larger for it.
+void coarsen_origin(Grid& grid, int bits, double longest) {
+    const double step = grid.step, unit = origin_unit(bits);
+    const auto bytes = [](double steps) {
+        return std::abs(steps) < 64 ? 1 : std::abs(steps) < 8192 ? 2 : 3;
+    };
+    if (!(longest / step >= 16 * unit)) return;
+    int fine = 0, coarse = 0;
+    Grid coarsened = grid;
+    for (double& x : coarsened.origin) {
+        if (!is_whole_steps(x, step)) return;
+        const double steps = std::floor(x / step + 0.5), units = std::floor(steps / unit);
+        fine += bytes(steps);
+        coarse += bytes(units);
+        x = units * unit * step;
+    }
+    if (coarse < fine) grid = coarsened;
+}
+
 // The grid number of a coordinate. On a lattice the nearest multiple of the step is found first, so
 // that it does not depend on the origin.
 double grid_number(const PositionPlan& plan, std::size_t axis, double x, bool lattice) {
@@ -323,6 +343,9 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
                                     ? std::floor(box.low[axis] / grid.step) * grid.step
                                     : origin_on(positions, box, axis, grid.step, asked, own > 0);
         if (!options.lattice) shorten_origin(grid, asked);
+        plan.bits = static_cast<std::uint8_t>(options.position_bits.value_or(
+            std::bit_width(static_cast<std::uint64_t>(std::ceil(longest / grid.step)))));
+        coarsen_origin(grid, plan.bits, longest);
         place_on_grid(positions, box, options.lattice.has_value(), plan);
     };
     place();
@@ -331,10 +354,6 @@ Result<PositionPlan> plan_positions(const Mesh& mesh, const EncodeOptions& optio
         asked = grid.step = few_bits_below(2 * std::max(plan.bound - spacing, plan.bound / 2));
         place();
     }
-    plan.bits = options.position_bits
-                    ? static_cast<std::uint8_t>(*options.position_bits)
-                    : static_cast<std::uint8_t>(std::bit_width(
-                          static_cast<std::uint64_t>(std::ceil(longest / grid.step))));
     if (!options.max_error && !options.max_error_relative && plan.error <= grid.step / 2)
         plan.bound = grid.step / 2;
     plan.error = kept_error(plan.error, plan.bound);

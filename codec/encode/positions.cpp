@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "encode/fit.h"
 #include "encode/position_pass.h"
 #include "entropy/priors.h"
 #include "predict/priors.h"
@@ -73,9 +74,13 @@ Bytes position_head_of(const PositionFormat& format) {
     }
     if (format.has_levels)
         out.u8(static_cast<std::uint8_t>(format.level_bits | (format.has_pairs ? 128 : 0)));
-    for (std::size_t c = 0; c < kWeightSets; ++c)
-        for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
-            out.varint(zigzag(format.weights[c][i]));
+    for (std::size_t c = 0; c < kWeightSets; ++c) {
+        if ((fitted >> c & 1) == 0) continue;
+        const int grain = grain_of(format.weights[c]);
+        out.u8(static_cast<std::uint8_t>(grain));
+        for (std::size_t i = 0; i < kFeatureCount[c]; ++i)
+            out.varint(zigzag(format.weights[c][i] >> grain));
+    }
     if (!format.rounds.empty()) {
         out.u8(static_cast<std::uint8_t>(format.rounds.count));
         out.u8(static_cast<std::uint8_t>(format.rounds.slack));

@@ -24,42 +24,31 @@ class BorderCodes {
     // Once per vertex, in order.
     void insert(const Point3& value) { faces_.insert(value); }
 
-    // Does the vertex go on with one of the borders beside its gate? `truth()`: the writer's value.
-    template <class Truth>
-    bool next(const Stencil& tet, const std::vector<Point3>& values, const Truth& truth) {
-        std::uint32_t asked = 0;
-        for (std::size_t e = 0; e < 3; ++e) {
-            if ((tet.borders >> e & 1) == 0) continue;
-            stencil_ = along_border(tet, e);
-            plane_ = BorderPlane(stencil_, values);
-            if (!plane_.exists()) continue;
-            face_ = faces_.of(stencil_);
-            bool along = false;
-            if constexpr (Coder::kWrites)
-                along = faces_.lies_along(stencil_, face_, values, truth());
-            const ContextBlock& block =
-                face_ == kNone ? ResidualContexts::along : ResidualContexts::along_round;
-            if (coder_.flag(block.at(asked++, plane_.opening()), along)) return true;
-        }
+    // Looks at the border across edge e of the gate; with e ascending, from 0, once per vertex.
+    // False: nothing can be asked about it.
+    bool meet(const Stencil& tet, std::size_t e, const std::vector<Point3>& values) {
+        if (e == 0) asked_ = 0;
+        if ((tet.borders >> e & 1) == 0) return false;
+        stencil_ = along_border(tet, e);
+        plane_ = BorderPlane(stencil_, values);
+        if (!plane_.exists()) return false;
+        face_ = faces_.of(stencil_);
+        const ContextBlock& block =
+            face_ == kNone ? ResidualContexts::along : ResidualContexts::along_round;
+        context_ = block.at(asked_++, plane_.opening());
+        return true;
+    }
+    // The flag that says whether the vertex goes on with the border that was met last.
+    Context context() const { return context_; }
+    // Does it go on with any? If so, that is the one met last. `truth`: the writer's edge, or any
+    // other number for none.
+    bool next(const Stencil& tet, const std::vector<Point3>& values, std::size_t truth) {
+        for (std::size_t e = 0; e < 3; ++e)
+            if (meet(tet, e, values) && coder_.flag(context_, e == truth)) return true;
         return false;
     }
 
-    // Would a round face, or a plane to a unit, tell a coordinate of it? For the writer.
-    bool tells(const Stencil& tet, const std::vector<Point3>& values, const Point3& truth) const {
-        for (std::size_t e = 0; e < 3; ++e) {
-            if ((tet.borders >> e & 1) == 0) continue;
-            const Stencil border = along_border(tet, e);
-            const OffPlane off = off_plane(border, values, truth);
-            if (!(off.normal_square > 0)) continue;
-            const Id face = faces_.of(border);
-            if (face != kNone ? faces_.holds(face, truth)
-                              : off.distance * off.distance < off.normal_square)
-                return true;
-        }
-        return false;
-    }
-
-    // Of a vertex that does: its stencil,
+    // Of a vertex that goes on with that border: its stencil,
     const Stencil& stencil() const { return stencil_; }
     // its guess, moved onto the round face if there is one; that chooses the axes,
     Point3 laid(const Point3& guess) {
@@ -86,6 +75,8 @@ class BorderCodes {
     Stencil stencil_;
     BorderPlane plane_;
     Id face_ = kNone;
+    Context context_ = 0;
+    std::uint32_t asked_ = 0;  // flags about the vertex
     std::array<std::size_t, 3> axes_{};
 };
 

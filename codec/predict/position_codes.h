@@ -38,6 +38,7 @@ class PositionCodes {
           keeps_exact_(format.keeps_exact()),
           earlier_(coder, format_),
           predictor_(format.weights, format.mirrored, format.leaders_move),
+          sizes_(static_cast<std::uint64_t>(format.usual_start)),
           levels_(coder, format.has_levels ? format.level_bits : 0, format.has_pairs, vertices),
           rest_(coder, format.numbers,
                 !format.has_escapes ? 0
@@ -61,63 +62,59 @@ class PositionCodes {
     // False: a value no encoder writes.
     bool next(const Stencil& stencil, const Position& truth) {
         if (is_plain_) return next_plain(stencil, truth);
-        Point3 g = guess_at(stencil);
-        std::array<std::int64_t, 3> whole = wholes_of(g);
+        Guess guess = guess_of(stencil);
         // The middle of an edge tells more than an echo.
-        const bool edge = stencil.configuration == Configuration::edge;
+        const bool edge = is_edge(stencil);
         Earlier found;
         bool told = false;     // by the vertex found
         bool stays = true;     // is it where that one is?
         bool follows = false;  // by the leader
         bool sane = true;
+        std::optional<std::size_t> border;  // the writer's choice, if it has been made
         Id leader = kNone;
         if (leads_ && !edge) sane = leads_->next(stencil, next_vertex(), values_, false, leader);
         if (leader != kNone) {
             earlier_.begin_led(stencil);
-            found = find_follow(stencil, leader, g);
+            found = find_follow(stencil, leader, guess.at);
             bool better = false;
             if constexpr (Coder::kWrites)
                 better = guess_takes_more(earlier_.price(found, true, truth) +
                                               earlier_.follow_price(found) + kFollowPrice,
-                                          stencil, truth, g, whole);
+                                          guess, truth, border);
             told = follows = earlier_.follows(found, better);
         }
         if (echoes_ && !told && !edge) {
-            found = echoes_->find(g, values_, exact_);
+            found = echoes_->find(guess.at, values_, exact_);
             if (found.vertex != kNone) {
                 bool better = false;
                 if constexpr (Coder::kWrites)
                     better = guess_takes_more(
-                        earlier_.price(found, false, truth) + echoes_->price(found), stencil, truth,
-                        g, whole);
+                        earlier_.price(found, false, truth) + echoes_->price(found), guess, truth,
+                        border);
                 told = echoes_->is_told(found, better);
             }
             echoes_->looked(told);
             stays = echoes_->stays(found);
         }
-        const bool along = border_ && !told && border_->next(stencil, values_, [&] {
-            return units_of(format_.numbers, truth);
-        });
-        const Stencil& guessed = along ? border_->stencil() : stencil;
-        std::array<std::size_t, 3> axes{0, 1, 2};
-        if (along) {
-            g = border_->laid(guess_at(guessed));
-            for (double& x : g) x = clamped(x);
-            whole = wholes_of(g);
-            axes = border_->axes();
+        if (border_ && !told && stencil.borders != 0) {
+            if constexpr (Coder::kWrites)
+                if (!border) {
+                    border.emplace();
+                    least_price(guess, truth, *border);
+                }
+            if (border_->next(stencil, values_, border.value_or(kNoBorder))) guess = guess_along();
         }
-        sizes_.begin(guessed);
+        sizes_.begin(*guess.stencil);
         const bool levels = format_.has_levels && !edge;
-        if (levels) levels_.begin(guessed);
+        if (levels) levels_.begin(*guess.stencil);
         const bool all_same = told && earlier_.begin(found, follows, truth);
         Point3 value{}, exact{};
         for (std::size_t step = 0; step < 3 && sane; ++step) {
-            const std::size_t axis = axes[step];
-            const bool carried = along && step == 2;
-            // The axis before, but where it comes last.
-            const double* const before =
-                axis == 0 || (along && axes[2] == axis - 1) ? nullptr : &value[axis - 1];
-            if (carried) whole[axis] = whole_of(clamped(border_->carried(g, value)));
+            const std::size_t axis = guess.axes[step];
+            const bool carried = guess.along && step == 2;
+            const double* const before = before_of(guess, axis, value);
+            if (carried) guess.whole[axis] = whole_carried(guess, value);
+            const std::int64_t whole = guess.whole[axis];
             Number number = truth[axis];
             std::int64_t missed = 0;
             bool same = false;
@@ -135,23 +132,23 @@ class PositionCodes {
                 }
             } else {
                 if (levels)
-                    same = levels_.next(values_, axis, whole[axis], before, [&](Id v) {
+                    same = levels_.next(values_, axis, whole, before, [&](Id v) {
                         return is_value(format_, number, values_[v][axis], exact_or_0(v, axis));
                     });
                 if (same) {
                     value[axis] = values_[levels_.vertex()][axis];
                     if (keeps_exact_) exact[axis] = exact_[levels_.vertex()][axis];
                 } else {
-                    const double part = carried ? 0 : part_of(g[axis], whole[axis]);
+                    const double part = carried ? 0 : part_of(guess.at[axis], whole);
                     missed =
                         code_whole(carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step),
-                                   whole[axis], number.whole, sign_by(axis, part));
+                                   whole, number.whole, sign_by(axis, part));
                 }
             }
             if (!same) {
                 const bool tells = edge && missed == 0;  // the guess, of what is behind the point
                 sane = number.whole < most_ && number.whole > -most_ &&
-                       rest_.next(a, tells ? &g[axis] : nullptr, number);
+                       rest_.next(a, tells ? &guess.at[axis] : nullptr, number);
                 if (number.escaped)
                     escapes_.push_back({number.rest, static_cast<Id>(values_.size()), a});
                 const Scaled s = sane ? scaled_of(format_.numbers, number) : Scaled{};
@@ -160,15 +157,16 @@ class PositionCodes {
             }
             // How far off the guess was, whatever told the coordinate.
             if ((told || same) && sane)
-                missed = static_cast<std::int64_t>(value[axis] - static_cast<double>(whole[axis]));
+                missed = static_cast<std::int64_t>(value[axis] - static_cast<double>(whole));
             sizes_.coded_residual(axis, missed);
             if (carried)
                 sizes_.coded_off_plane(
-                    axis, static_cast<std::uint64_t>(std::abs(value[axis] - g[axis]) + 0.5));
+                    axis, static_cast<std::uint64_t>(std::abs(value[axis] - guess.at[axis]) + 0.5));
         }
         sizes_.push();
         if (told) earlier_.end();
-        if (leads_ && !edge && leads_->in_seed()) leads_->missed(next_vertex(), minus(value, g));
+        if (leads_ && !edge && leads_->in_seed())
+            leads_->missed(next_vertex(), minus(value, guess.at));
         add(value, exact, stays && found.copies && all_same);
         return sane;
     }
@@ -238,7 +236,22 @@ class PositionCodes {
     // Bits, to the writer: a leader that is hardly better makes others less sure.
     static constexpr double kFollowPrice = 1;
 
+    static constexpr double kMuch = 1e300;
+    static constexpr std::size_t kNoBorder = 3;
+
+    struct Guess {
+        const Stencil* stencil;
+        Point3 at{};
+        std::array<std::int64_t, 3> whole{};  // of the coordinates
+        std::array<std::size_t, 3> axes{};    // in the order in which they are coded
+        bool along = false;                   // a border tells the last of them
+    };
+
     Id next_vertex() const { return static_cast<Id>(values_.size()); }
+
+    static bool is_edge(const Stencil& stencil) {
+        return stencil.configuration == Configuration::edge;
+    }
 
     // `stays`: where an earlier vertex stands, which is enough for who looks for one.
     void add(const Point3& value, const Point3& exact, bool stays) {
@@ -261,8 +274,29 @@ class PositionCodes {
             for (double& x : g) x = to_24_bits(x);
         return g;
     }
-    std::array<std::int64_t, 3> wholes_of(const Point3& g) const {
-        return {whole_of(g[0]), whole_of(g[1]), whole_of(g[2])};
+    Guess guess_of(const Stencil& stencil) {
+        const Point3 g = guess_at(stencil);
+        return {&stencil, g, {whole_of(g[0]), whole_of(g[1]), whole_of(g[2])}, {0, 1, 2}, false};
+    }
+    // Of a vertex that goes on with the border that was met last.
+    Guess guess_along() {
+        Guess guess = guess_of(border_->stencil());
+        guess.at = border_->laid(guess.at);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            guess.at[axis] = clamped(guess.at[axis]);
+            guess.whole[axis] = whole_of(guess.at[axis]);
+        }
+        guess.axes = border_->axes();
+        guess.along = true;
+        return guess;
+    }
+    // The last coordinate of such a vertex, the others of `value` being known.
+    std::int64_t whole_carried(const Guess& guess, const Point3& value) const {
+        return whole_of(clamped(border_->carried(guess.at, value)));
+    }
+    // The coordinate on the axis before, if it has been coded.
+    static const double* before_of(const Guess& guess, std::size_t axis, const Point3& value) {
+        return axis == 0 || guess.axes[2] == axis - 1 ? nullptr : &value[axis - 1];
     }
     double clamped(double x) const {
         const auto most = static_cast<double>(most_);
@@ -307,36 +341,58 @@ class PositionCodes {
         }
         return found;
     }
-    // Would the vertex take more bits than that if no earlier one told it, as far as a writer can
-    // say before? What a border tells does not count.
-    bool guess_takes_more(double bits, const Stencil& stencil, const Position& truth,
-                          const Point3& g, const std::array<std::int64_t, 3>& whole) {
+    // What the vertex would take by its guess, for the writer, or `enough` where it is that or
+    // more: the least of that without a border, and with each of those beside it. `border`: which
+    // that is.
+    double least_price(const Guess& guess, const Position& truth, std::size_t& border,
+                       double enough = kMuch) {
+        border = kNoBorder;
+        double least = enough, no = 0;
+        for (std::size_t e = 0; border_ && e < 3; ++e) {
+            if (!border_->meet(*guess.stencil, e, values_)) continue;
+            const double yes = no + coder_.cost(border_->context(), true);
+            no += coder_.cost(border_->context(), false);
+            const double bits = yes + price(guess_along(), truth, least - yes);
+            if (bits < least) least = bits, border = e;
+        }
+        const double bits = no + price(guess, truth, least - no);
+        if (bits < least) border = kNoBorder;
+        return std::min(bits, least);
+    }
+    // Those that its coordinates take, or more than `enough`.
+    double price(Guess guess, const Position& truth, double enough) {
         Pricing<Coder> pricing{coder_};
         const Point3 value = units_of(format_.numbers, truth);
-        const bool told = border_ && border_->tells(stencil, values_, value);
         const auto answers = levels_.answers();
-        double most = 0;
-        sizes_.begin(stencil);
-        if (format_.has_levels) levels_.begin(stencil);
-        const auto takes_more = [&] { return pricing.bits - (told ? most : 0) > bits; };
-        for (std::size_t axis = 0; axis < 3 && !takes_more(); ++axis) {
-            const double before = pricing.bits;
+        sizes_.begin(*guess.stencil);
+        const bool levels = format_.has_levels && !is_edge(*guess.stencil);
+        if (levels) levels_.begin(*guess.stencil);
+        for (std::size_t step = 0; step < 3 && pricing.bits < enough; ++step) {
+            const std::size_t axis = guess.axes[step];
+            const bool carried = guess.along && step == 2;
+            if (carried) guess.whole[axis] = whole_carried(guess, value);
+            const std::int64_t whole = guess.whole[axis], r = truth[axis].whole - whole;
             const auto has = [&](Id v) {
                 return is_value(format_, truth[axis], values_[v][axis], exact_or_0(v, axis));
             };
-            const std::int64_t r = truth[axis].whole - whole[axis];
-            if (!format_.has_levels ||
-                !levels_.next_by(pricing, values_, axis, whole[axis],
-                                 axis == 0 ? nullptr : &value[axis - 1], has)) {
-                code_residual(pricing, sizes_.scale(axis, axis), r,
-                              sign_by(axis, part_of(g[axis], whole[axis])));
+            if (!levels || !levels_.next_by(pricing, values_, axis, whole,
+                                            before_of(guess, axis, value), has)) {
+                const double part = carried ? 0 : part_of(guess.at[axis], whole);
+                code_residual(pricing,
+                              carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step), r,
+                              sign_by(axis, part));
                 pricing.bits += rest_bits(format_.numbers, truth[axis].whole);
             }
             sizes_.coded_residual(axis, r);
-            most = std::max(most, pricing.bits - before);
         }
         levels_.take_back(answers);
-        return takes_more();
+        return pricing.bits;
+    }
+    // Would it take more by its guess than that?
+    bool guess_takes_more(double bits, const Guess& guess, const Position& truth,
+                          std::optional<std::size_t>& border) {
+        border.emplace();
+        return !(least_price(guess, truth, *border, bits) < bits);
     }
     double exact_or_0(Id v, std::size_t axis) const { return keeps_exact_ ? exact_[v][axis] : 0; }
 

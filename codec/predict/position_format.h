@@ -27,6 +27,7 @@ struct PositionFormat {
     bool has_escapes = false;   // some coordinates are told bit for bit
     bool mirrored = false;      // tets, most of which are inside out
     bool leaders_move = false;  // see carried()
+    double usual_start = 16;    // what a residual is expected to be before any is known
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
     int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0
@@ -48,6 +49,13 @@ struct PositionFormat {
     bool keeps_exact() const { return numbers.base == NumberBase::decimal && numbers.digits > 0; }
     bool operator==(const PositionFormat&) const = default;
 };
+
+// Of tets: an eighth of a mean edge, in units. The walk looks for vertices in cubes of half of one;
+// a file may hold any scale.
+inline double usual_start_of(const PositionFormat& format, double grid_side) {
+    const double start = grid_side / format.place_scale / 4;
+    return start > 1 ? std::floor(std::min(start, 0x1p40)) : 1;
+}
 
 // What is to be coded of a vertex.
 using Position = std::array<Number, 3>;

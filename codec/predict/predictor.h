@@ -35,6 +35,12 @@ inline std::size_t weight_set_of(const Stencil& stencil) {
 inline constexpr std::array<std::size_t, kWeightSets> kFeatureCount{2, 5, 6, 10, 3, 7, 5, 7, 7,
                                                                     7, 7, 7, 7,  7, 7, 7, 7};
 
+// The set of border, and the only feature of it that leaves the plane.
+inline constexpr std::size_t kBorderSet = 6, kBorderHeight = 4;
+
+// Weights of a set are told in steps of 2^grain.
+inline constexpr int kMostGrain = 15;
+
 // Those of triangles are the best for some forty meshes of animals, heads and machines.
 using Weights = std::array<std::array<std::int16_t, kFeatures>, kWeightSets>;
 inline constexpr Weights kDefaultWeights{{
@@ -43,8 +49,8 @@ inline constexpr Weights kDefaultWeights{{
     {0},
     {0},
     {2048, 0, 1024},
-    {0, -256, 1400, 800, 600, 2800, 0},
-    {800, 0, 2400, 0, 0},
+    {160, 450, 1230, 2040, -730, 4430, -520},
+    {450, 190, 2860, 90, 0},
     {-1630, 84, -378, -37, -7, -33, 236},
     {-2934, -527, -1097, 250, -88, -236, -283},
     {-2678, -345, -634, 119, 134, -181, -188},
@@ -168,22 +174,21 @@ inline void tet_features(const std::array<Point3, kStencilSize>& p, bool mirrore
     f.feature[6] = times(pull, 1 / all);
 }
 
-// a b y z: from the middle of the edge away from y, as far as y is, as the edge is long, as the
-// others are; up from the triangle; and to z.
+// a b y z: within the plane of a b y, from the middle of the edge away from y, as far as y is, as
+// the edge is long, as the others are, and to z; then up from the plane.
 inline void border_features(const std::array<Point3, kStencilSize>& p, Features& f) {
     const Point3 u = minus(p[1], p[0]), n = cross(u, minus(p[2], p[0]));
     const double square = dot(n, n), edge = length(u);
     f.base = times(plus(p[0], p[1]), 0.5);
     f.feature[0] = minus(f.base, p[2]);
-    if (square > 0) {
-        const Point3 up = times(n, 1 / std::sqrt(square));
-        const Point3 away = cross(u, up);  // as long as the edge
-        f.feature[1] = away;
-        f.feature[2] =
-            times(away, (length(minus(p[2], p[0])) + length(minus(p[2], p[1]))) / (2 * edge));
-        f.feature[3] = times(up, edge);
-    }
-    f.feature[4] = minus(p[3], f.base);
+    if (!(square > 0)) return;
+    const Point3 up = times(n, 1 / std::sqrt(square)), away = cross(u, up);  // as long as the edge
+    f.feature[1] = away;
+    f.feature[2] =
+        times(away, (length(minus(p[2], p[0])) + length(minus(p[2], p[1]))) / (2 * edge));
+    const Point3 beyond = minus(p[3], f.base);
+    f.feature[3] = minus(beyond, times(up, dot(beyond, up)));
+    f.feature[kBorderHeight] = times(up, edge);
 }
 
 inline Point3 guess_by_leader(const std::array<Point3, kStencilSize>& p, bool maps) {

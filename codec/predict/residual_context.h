@@ -27,6 +27,7 @@ inline constexpr std::uint32_t kSizeNodes = 2 + kUpSteps + kDownSteps;
 // Guesses of one kind err alike. They are told apart by kind where less than 2^28 is expected.
 // Those of seeds, and whatever is no guess of a position, are of kind 0.
 inline constexpr std::uint32_t kSizeKinds = 6, kKindScales = 64;
+inline constexpr std::uint32_t kOffPlaneKind = 4;  // no other guess of most tets has it
 inline constexpr std::uint32_t kFollowedKind = 5;  // what leaders say
 inline constexpr std::uint32_t size_kind(Configuration configuration) {
     switch (configuration) {
@@ -121,12 +122,24 @@ inline void expect(std::uint64_t& expected, std::uint64_t magnitude) {
     expected += ((16 * magnitude + 31) >> 5) - ((expected + 31) >> 5);
 }
 
+// Usual magnitudes are kept of seeds by variant, then by configuration.
+inline constexpr std::size_t kOfSeeds = 3;
+inline constexpr std::size_t usual_place(Configuration configuration) {
+    return kOfSeeds - 1 + static_cast<std::size_t>(configuration);
+}
+
 // The magnitudes of all residuals so far, and from them the scale of the next.
 class ResidualSizes {
   public:
     using Magnitudes = std::array<std::uint32_t, 3>;  // per axis, at most kMost
 
-    ResidualSizes() { usual_.fill(kStart); }
+    // `start`: what is expected of seeds, tets and along borders before any is known, below 2^48.
+    explicit ResidualSizes(std::uint64_t start = kStart) {
+        usual_.fill(16 * kStart);
+        std::fill_n(usual_.begin(), kOfSeeds, 16 * start);
+        for (const Configuration c : {Configuration::tet, Configuration::border})
+            usual_[usual_place(c)] = 16 * start;
+    }
     void reserve(std::size_t vertices) { known_.reserve(vertices); }
 
     // Before the residuals of a vertex are coded. The point of an edge is as far off as those
@@ -156,8 +169,7 @@ class ResidualSizes {
                 off_sum_ += off_plane_[stencil.at[i]];
                 ++off_count_;
             }
-        usual_of_ = &usual_[seed ? stencil.variant
-                                 : kOfSeeds - 1 + static_cast<std::size_t>(stencil.configuration)];
+        usual_of_ = &usual_[seed ? stencil.variant : usual_place(stencil.configuration)];
         kind_ = size_kind(stencil.configuration);
         const std::uint64_t all = sum[0] + sum[1] + sum[2];
         shares_ = shares_of(stencil.configuration);
@@ -177,13 +189,13 @@ class ResidualSizes {
         std::uint64_t e = expected_[axis];
         if (step == 1) e = ((32 - shares_.first) * e + shares_.first * 16 * done_) >> 5;
         if (step == 2) e = ((32 - shares_.both) * e + shares_.both * 8 * done_) >> 5;
-        return of_kind(scale_of(e));
+        return of_kind(scale_of(e), kind_);
     }
     // Of the last axis of a vertex that goes on with a border: how far off its plane, or its round
     // face, it is.
     Scale scale_off_plane() const {
         const std::uint64_t near = off_count_ == 0 ? usual_off_ : part(16 * off_sum_, off_count_);
-        return of_kind(scale_of((29 * near + 3 * usual_off_) >> 5));
+        return of_kind(scale_of((29 * near + 3 * usual_off_) >> 5), kOffPlaneKind);
     }
     SignQuestion sign(std::uint32_t size, std::size_t axis, double part) const {
         return sign_question(size, part, static_cast<int>(signs_around_ >> (8 * axis) & 7) - 3);
@@ -221,7 +233,7 @@ class ResidualSizes {
     void push_nothing() { known_.push_back({{}, kNoSigns | kOthers | kSeeds}); }
 
   private:
-    static constexpr std::uint64_t kMost = 0xFFFFFFFF, kStart = 256;
+    static constexpr std::uint64_t kMost = 0xFFFFFFFF, kStart = 16;
     static constexpr std::uint32_t kNoSigns = 0x010101;
 
     // What an expectation is made of beside the axis' own, in shares of 1/32.
@@ -239,13 +251,12 @@ class ResidualSizes {
         return n == 3 ? x / 3 : n == 2 ? x / 2 : x;
     }
 
-    Scale of_kind(const Scale& scale) const {
-        return {scale.context, scale.bits, scale.context < kKindScales ? kind_ : 0};
+    static Scale of_kind(const Scale& scale, std::uint32_t kind) {
+        return {scale.context, scale.bits, scale.context < kKindScales ? kind : 0};
     }
 
     // Whom a vertex tells something.
     static constexpr std::uint32_t kOthers = 1u << 24, kSeeds = 1u << 25;
-    static constexpr std::size_t kOfSeeds = 3;  // variants
     struct Known {
         Magnitudes magnitudes;
         // A byte per axis, 0, 1 or 2: below 0, none, above. The fourth: whom it tells.
@@ -254,9 +265,8 @@ class ResidualSizes {
     std::vector<Known> known_;
     std::uint32_t signs_around_ = 0, signs_now_ = kNoSigns;  // the sum of three
     std::vector<std::uint32_t> off_plane_;  // kNone, or it ends, where no plane was gone on with
-    std::uint64_t off_sum_ = 0, off_count_ = 0, usual_off_ = kStart;
-    // Of seeds by variant, then by configuration.
-    std::array<std::uint64_t, kOfSeeds - 1 + static_cast<std::size_t>(Configuration::count)> usual_;
+    std::uint64_t off_sum_ = 0, off_count_ = 0, usual_off_ = 16 * kStart;
+    std::array<std::uint64_t, usual_place(Configuration::count)> usual_;
     std::uint64_t* usual_of_ = nullptr;
     std::uint32_t kind_ = 0, tells_ = 0;
     Shares shares_{};

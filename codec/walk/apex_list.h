@@ -12,9 +12,8 @@ namespace ravel {
 
 struct ApexCandidate {
     Id vertex = kNone;
-    double height = 0;   // of its sphere
-    bool above = false;  // is it on the right side of the gate, and the gate no degenerate one?
-    bool beyond_border = false;
+    double height = 0;       // of its sphere
+    bool above = false;      // is it on the right side of the gate, and the gate no degenerate one?
     std::uint8_t fan = 0;    // most tets round one of the edges it folds onto
     std::uint8_t times = 0;  // edges of the gate it folds onto
 };
@@ -56,7 +55,6 @@ class ApexList {
         if (i == size_) {
             ApexCandidate candidate;
             candidate.vertex = vertex;
-            candidate.beyond_border = true;
             add(candidate);
         }
         change(list_[i].candidate);
@@ -113,6 +111,10 @@ inline std::uint32_t height_class(const ApexCandidate& candidate, double unit) {
     std::uint32_t c = 0;
     for (const double bound : kBounds) c += h > bound;
     return c;
+}
+// By how many edges it folds onto, and whether three tets or more are around one of them.
+inline std::uint32_t folds_class(const ApexCandidate& candidate) {
+    return candidate.times == 0 ? 0u : (candidate.times > 1 ? 3u : 1u) + (candidate.fan > 2);
 }
 // How far the second candidate lies above the first: 0 for next to nothing, 3 for far or none.
 inline std::uint32_t gap_class(const ApexList& list, double unit) {

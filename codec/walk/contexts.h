@@ -29,8 +29,8 @@ inline constexpr Context kContexts = kPrecedent.end();
 }  // namespace surface
 
 namespace tet {
-inline constexpr ContextBlock kLowest{0, 14, 4, 4,
-                                      8};  // height, folds, fan, gap to the next and border
+inline constexpr ContextBlock kLowest{0, 8, 5, 4,
+                                      20};  // height, folds, gap to the next, see ApexSigns
 inline constexpr ContextBlock kNew{kLowest.end(), 14, 4, 3,
                                    6};                      // height, folds, borders, next height
 inline constexpr ContextBlock kNext{kNew.end(), 12, 3, 2};  // place in the list, folds, above
@@ -38,15 +38,15 @@ inline constexpr ContextBlock kNear{kNext.end(), 1};
 inline constexpr ContextBlock kNearRank{kNear.end(), kNumberSteps};
 inline constexpr ContextBlock kOldFar{kNearRank.end(), kNumberSteps};
 inline constexpr ContextBlock kGlue{kOldFar.end(), 2};
-inline constexpr ContextBlock kBorder{kGlue.end(), 7, 4, 3,
-                                      4};  // flatness, border vertices, apex, borders beside
+inline constexpr ContextBlock kBorder{kGlue.end(), 28, 3, 2, 9};  // see BorderSigns
 inline constexpr ContextBlock kFlip{kBorder.end(), 2};
 inline constexpr ContextBlock kCopy{kFlip.end(), 2, 6};
 inline constexpr ContextBlock kCopyNear{kCopy.end(), 5, 3, 2};
 inline constexpr ContextBlock kCopyOf{kCopyNear.end(), kNumberSteps};
 inline constexpr ContextBlock kLed{kCopyOf.end(), 16, 4, 2,
                                    4};  // the leader's misses, those of all; new? mismatch
-inline constexpr Context kContexts = kLed.end();
+inline constexpr ContextBlock kLedBorder{kLed.end(), 2, 28, 3, 2};  // the leader's; the same
+inline constexpr Context kContexts = kLedBorder.end();
 }  // namespace tet
 
 }  // namespace ravel

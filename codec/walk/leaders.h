@@ -72,6 +72,8 @@ class Leaders {
         missed_ = missed_ << 1 | !right;
     }
 
+    // The facet that one of a cell that was led is like, or kNone.
+    Id like(Id facet) const { return like_[facet]; }
     // After each cell: which corner each of its corners is like, if it was led.
     void enter_seed() { like_.resize(like_.size() + 4, kNone); }
     void enter_cell(const Walked& walked, Id base, bool led) {

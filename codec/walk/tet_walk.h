@@ -21,6 +21,8 @@
 
 #include "walk/apex_list.h"
 #include "walk/apex_search.h"
+#include "walk/apex_signs.h"
+#include "walk/border_signs.h"
 #include "walk/leaders.h"
 #include "walk/sphere_family.h"
 #include "walk/tet_front.h"
@@ -217,9 +219,10 @@ class TetWalk {
             const ApexCandidate& lowest = list_[0];
             height = height_class(lowest, family.unit());
             times = lowest.times;
-            const std::uint32_t fan = std::clamp<std::uint32_t>(lowest.fan, 1, 4) - 1;
             const std::uint32_t gap = lowest.above ? gap_class(list_, family.unit()) : 3;
-            if (driver_.flag(tet::kLowest.at(height, times, fan, 2 * gap + lowest.beyond_border),
+            const ApexSigns signs(points_of(gate), driver_.place(lowest.vertex));
+            if (driver_.flag(tet::kLowest.at((height + 1) / 2, folds_class(lowest), gap,
+                                             4 * signs.height() + signs.reach(limits_.grid_side)),
                              driver_.apex_is(lowest.vertex)))
                 return answer(lowest);
         }
@@ -263,7 +266,6 @@ class TetWalk {
                 }
                 ++candidate.times;
                 if (!beyond) candidate.fan = std::max(candidate.fan, gate.fan[e]);
-                candidate.beyond_border = candidate.beyond_border && beyond;
             });
         }
         return borders;
@@ -338,42 +340,34 @@ class TetWalk {
                 return;
             }
         }
-        if (limits_.has_border) {
-            std::uint32_t vertices = 0, flat = 0, beside = 0;
-            for (Id e = 0; e < 3; ++e) {
-                vertices += on_border_[t.vertex[e]];
-                const TetFront::Triangle& mate = front_.across(t, e);
-                if (!mate.border) continue;
-                ++beside;
-                flat = std::max(flat, flatness(t, mate));
-            }
-            if (driver_.flag(
-                    tet::kBorder.at(flat, vertices, static_cast<std::uint32_t>(apex), beside),
-                    driver_.border(f))) {
-                become_border(triangle);
-                return;
-            }
+        if (limits_.has_border && driver_.flag(border_context(t), driver_.border(f))) {
+            become_border(triangle);
+            return;
         }
         triangle_of_[f] = triangle;
         waiting_.push_back(triangle);
         count(t, true);
     }
 
-    Point3 normal_of(const TetFront::Triangle& t) const {
-        const Point3& a = driver_.place(t.vertex[0]);
-        return cross(minus(driver_.place(t.vertex[1]), a), minus(driver_.place(t.vertex[2]), a));
+    // Of the question whether a triangle, which a new tet has made, is a border.
+    Context border_context(const TetFront::Triangle& t) const {
+        BorderSigns signs(points_of(t), driver_.place(walked_.vertex[t.facet]),
+                          limits_.mirrored ? -1 : 1);
+        for (Id e = 0; e < 3; ++e) {
+            signs.vertices += on_border_[t.vertex[e]];
+            const TetFront::Triangle& mate = front_.across(t, e);
+            signs.meet(points_of(mate), driver_.place(front_.apex_across(t, e)), mate.border);
+        }
+        const bool apex = on_border_[walked_.vertex[t.facet]] != 0;
+        const Id like = leaders_ ? leaders_->like(t.facet) : kNone;
+        if (like == kNone)
+            return tet::kBorder.at(signs.around(), signs.valley, apex,
+                                   signs.shape(limits_.grid_side));
+        const bool led = walked_.twin[like] == kNone && triangle_of_[like] == kNone;
+        return tet::kLedBorder.at(led, signs.around(), signs.valley, apex);
     }
-    // How nearly two triangles lie in one plane: 1 for a fold back, 6 for flat.
-    std::uint32_t flatness(const TetFront::Triangle& a, const TetFront::Triangle& b) const {
-        const Point3 m = normal_of(a), n = normal_of(b);
-        const double d = dot(m, n), square = dot(m, m) * dot(n, n);
-        if (!(d > 0)) return 1;
-        const double r = d * d;
-        return r > 0.9999 * square ? 6
-               : r > 0.99 * square ? 5
-               : r > 0.9 * square  ? 4
-               : r > 0.5 * square  ? 3
-                                   : 2;
+    std::array<Point3, 3> points_of(const TetFront::Triangle& t) const {
+        return {driver_.place(t.vertex[0]), driver_.place(t.vertex[1]), driver_.place(t.vertex[2])};
     }
     void become_border(Id triangle) {
         front_.set_border(triangle);

@@ -1,21 +1,22 @@
-"""7.3, 7.4: the apex of a tet."""
+"""7.3, 7.4, the end of 7.5: the apex of a tet."""
 
-from conventions import NONE, clamp
+from conventions import NONE, dot, minus
 from errors import require
-from spheres import Spheres
+from spheres import Spheres, longest, normal
 from walk import BORDER
 
 MOST = 12
 HEIGHT_BOUNDS = (-0.5, 0.0, 0.2, 0.35, 0.5, 0.67, 0.9, 1.2, 1.6, 2.2, 3.5, 7.7)
+STEEPNESS_BOUNDS = (0.09, 0.3025, 0.64, 1.21)
+REACH_BOUNDS = (3.24, 5.76, 10.24)
 
 
 class Candidate:
-    def __init__(self, vertex, height, beyond_border):
+    def __init__(self, vertex, height):
         self.vertex = vertex
         self.height = height  # None: not above
         self.times = 0
         self.fan = 0
-        self.beyond_border = beyond_border
 
     def above(self):
         return self.height is not None
@@ -60,12 +61,11 @@ class Apex:
                 continue
             c = self.find(v)
             if not c:
-                c = Candidate(v, None if spheres.flat else spheres.height(walk.place(v)), True)
+                c = Candidate(v, None if spheres.flat else spheres.height(walk.place(v)))
                 list.append(c)
             c.times += 1
             if not beyond:
                 c.fan = max(c.fan, walk.fan[3 * self.gate + e])
-                c.beyond_border = False
         # 2
         if not spheres.flat and not any(c.above() and c.times >= 2 for c in list):
             self.find_near()
@@ -77,8 +77,8 @@ class Apex:
             c = list[0]
             h = self.height_class(c)
             t = c.times
-            fan = clamp(c.fan, 1, 4) - 1
-            if walk.flag("kLowest", h, t, fan, 2 * self.gap_class() + c.beyond_border):
+            looks = 4 * self.steepness(c.vertex) + self.reach(c.vertex)
+            if walk.flag("kLowest", (h + 1) >> 1, self.fold_class(c), self.gap_class(), looks):
                 return self.told(c)
         # 4
         if walk.flag("kNew", h, t, borders, self.second_class()):
@@ -116,6 +116,11 @@ class Apex:
         m = c.height / self.spheres.unit
         return sum(m > bound for bound in HEIGHT_BOUNDS)
 
+    def fold_class(self, c):
+        if c.times == 0:
+            return 0
+        return (1 if c.times == 1 else 3) + (c.fan > 2)
+
     def gap_class(self):
         list = self.list
         if not list[0].above() or len(list) < 2 or not list[1].above():
@@ -130,6 +135,21 @@ class Apex:
         m = list[1].height / self.spheres.unit
         return 0 if m < 0.35 else 1 if m < 0.67 else 2 if m < 1.2 else 3 if m < 2.2 else 4
 
+    # 7.5
+
+    def steepness(self, v):
+        p = [self.walk.place(corner) for corner in self.corners]
+        N = normal(p)
+        d = dot(minus(self.walk.place(v), p[0]), N)
+        high = d * d
+        wide = dot(N, N) * longest(p)
+        return sum(high >= bound * wide for bound in STEEPNESS_BOUNDS)
+
+    def reach(self, v):
+        ways = [minus(self.walk.place(v), self.walk.place(corner)) for corner in self.corners]
+        farthest = max(dot(w, w) for w in ways)
+        return sum(farthest >= bound * self.walk.grid.unit for bound in REACH_BOUNDS)
+
     # 7.4
 
     def find_near(self):
@@ -138,6 +158,6 @@ class Apex:
             h = min(multiple * self.spheres.unit, lowest)
             found = [(v, height) for v, height in self.search(h) if not self.find(v)]
             for v, height in found:
-                self.list.append(Candidate(v, height, False))
+                self.list.append(Candidate(v, height))
             if found or h == lowest:
                 break

@@ -108,7 +108,7 @@ class CoinSurface(CoinWalk, SurfaceWalk):
 
 
 class CoinTet(CoinWalk, TetWalk):
-    ending = {"kBorder": True, "kGlue": True, "kNew": False, "kLed": False}
+    ending = {"kBorder": True, "kLedBorder": True, "kGlue": True, "kNew": False, "kLed": False}
 
     def pick_old(self):
         corners = self.triple(self.gate[-1])
@@ -126,14 +126,19 @@ def make_grid(head, flags):
     """The fields of `head` down to `error`; notes `step` and `origin`."""
     narrow_head, whole_origin, half_step = coin(0.5), coin(0.5), coin(0.5)
     real = "<f" if narrow_head else "<d"
-    out = bytes([flags | narrow_head << 4 | whole_origin << 5 | half_step << 6, random.randrange(65)])
+    coarse_origin = whole_origin and coin(0.5)
+    # with many bits only 0 can be coarse
+    bits = random.randrange(20 if coarse_origin and coin(0.7) else 65)
+    out = bytes([flags | narrow_head << 4 | whole_origin << 5 | half_step << 6, bits | coarse_origin << 7])
     step = struct.pack(real, random.choice((1.0, 0.001, 2.0**-10, 1e30)))
     head.step = struct.unpack(real, step)[0]
     out += step
     if whole_origin:
         most = random.choice((0, 9, 10**6, 2**53 - 1))
+        unit = 2 ** max(bits - 6, 0) if coarse_origin else 1
+        most //= unit
         n = [random.choice((-most, most, random.randint(-most, most))) for _ in range(3)]
-        head.origin = [x * head.step for x in n]
+        head.origin = [x * unit * head.step for x in n]
         out += b"".join(varint(zigzag(x)) for x in n)
     else:
         origin = [struct.pack(real, random.uniform(-9, 9)) for _ in range(3)]
@@ -141,7 +146,7 @@ def make_grid(head, flags):
         out += b"".join(origin)
     if not half_step:
         out += struct.pack(real, random.choice((0.0, 1.0)))
-    return out + struct.pack("<H", random.choice((0, 65535, random.randrange(65536))))
+    return out + bytes([random.choice((0, 255, random.randrange(256)))])
 
 
 def make_positions_head(head):
@@ -180,8 +185,10 @@ def make_positions_head(head):
         p.weights.append(guesses.default_weights(c, bool(fitted >> 17 & 1)))
         if fitted >> c & 1:
             most = random.choice((300, 4096, 32767))
-            p.weights[c] = [random.randint(-most, most) for _ in range(count)]
-            out += b"".join(varint(zigzag(w)) for w in p.weights[c])
+            grain = random.choice((0, random.randrange(16)))
+            grains = [random.randint(-most - 1 >> grain, most >> grain) for _ in range(count)]
+            p.weights[c] = [w * 2**grain for w in grains]
+            out += bytes([grain]) + b"".join(varint(zigzag(w)) for w in grains)
     if has_rounds:
         p.round_faces = coins_rounds.CoinRoundFaces(p.base == GRID)
     behind = b""
@@ -224,6 +231,7 @@ def make_file(seed, rides=False):
     chances = {"kLed": random.choice((0.2, 0.6, 0.9, -1)), "kPrecedent": random.choice((0.5, 0.8, 0.95, -1))}
     if along:
         chances.update(kBorder=random.choice((0.15, 0.3)), kLowest=0.3, kNew=0.8, kNear=0, kLed=0.2)
+        chances["kLedBorder"] = chances["kBorder"]
     stream = CoinStream("tet" if head.tets else "surface", chances)
     if alike:
         stream.moods = (0.01, 0.99)
@@ -267,13 +275,22 @@ def make_file(seed, rides=False):
     block.points = walk.copy_of.count(NONE)
     rounds = p.round_faces.bytes() if p.round_faces else b""
     sections = {
-        container.HEAD: head_bytes + riding.head,
+        container.HEAD: with_attributes(head_bytes, riding.head),
         container.BLOCK: make_block(head, block),
         container.CONNECTIVITY: stream.bytes(),
         container.POSITIONS: before_rounds + rounds + behind_rounds + positions_stream.bytes(),
         **riding.sections,
     }
     return whole_file(sections)
+
+
+def with_attributes(fields, attributes):
+    """3.2; that there are none is told, too, now and then."""
+    if attributes is None:
+        if coin(0.8):
+            return fields
+        attributes = varint(0)
+    return bytes([fields[0] | 128]) + fields[1:] + attributes
 
 
 def make_block(head, block):
@@ -288,16 +305,17 @@ def make_block(head, block):
     out += varint(block.vertices)
     if block.has_copies:
         out += varint(block.points)
-    usual = 0, 0, container.usual_components(block), 0
+    usual = 0, 0, container.usual_components(block), 0, 0
     told = 0
     fields = b""
-    for bit, value in enumerate((block.unused_points, block.companions, block.components, block.links)):
+    values = (block.unused_points, block.companions, block.components, block.links)
+    for bit, value in enumerate(values + ((block.shape_step,) if head.tets else ())):
         if value != usual[bit] or coin(0.3):
             told |= 1 << bit
             fields += varint(value)
     out += bytes([told]) + fields
     if head.tets:
-        out += b"".join(varint(x) for x in (block.grid_side, *block.grid_count, block.shape_step))
+        out += b"".join(varint(x) for x in (block.grid_side, *block.grid_count))
     return out
 
 

@@ -18,7 +18,7 @@ TYPES = ((1, 1), (3, 2), (5, 3), (9, 4), (7, 5), (7, 0))
 
 
 def nothing():
-    return SimpleNamespace(companions=0, head=b"\0", sections={})
+    return SimpleNamespace(companions=0, head=None, sections={})
 
 
 def make_some(head, block, walk):
@@ -50,8 +50,8 @@ def make(head, block, walk):
     count = random.choice((0, 1, 2, 3, 6))
     floods = coin(0.3)  # several floods of one place see the walls of those before
     heads = [make_attribute(i, elements, mesh, floods) for i in range(count)]
-    riding.head = varint(count) + b"".join(h.bytes for h in heads)
     if count:
+        riding.head = varint(count) + b"".join(h.bytes for h in heads)
         codings = b"".join(make_coding(h, elements, floods) for h in heads)
         planes = b"".join(make_planes(codings, heads, elements))
         chances = {"size": random.choice((0.4, 0.7, -1)), "fresh": 0.5, "outlier": 0.5}

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, require
 
-VERSION = 16
+VERSION = 17
 
 # in the order in which they come, those that need not be there also in that of the bits of `sections`
 ALWAYS = HEAD, BLOCK, CONNECTIVITY, POSITIONS = "head", "block", "connectivity", "positions"
@@ -66,7 +66,6 @@ def read_head(data):
     """3.2"""
     bytes = Bytes(data)
     flags = bytes.u8()
-    require(flags < 128, "bit 7 of head.flags")
     head = SimpleNamespace(
         tets=bool(flags & 1),
         wide=bool(flags & 2),
@@ -78,7 +77,7 @@ def read_head(data):
         require(not flags & 112, "narrow_head, whole_origin or half_step with lossless")
     else:
         read_grid(bytes, head, bool(flags & 16), bool(flags & 32), bool(flags & 64))
-    count = bytes.varint()
+    count = bytes.varint() if flags & 128 else 0
     require(count <= bytes.left() // 4, "attribute_count")
     for _ in range(count):
         head.attributes.append(read_attribute_head(bytes))
@@ -89,19 +88,25 @@ def read_head(data):
 def read_grid(bytes, head, narrow_head, whole_origin, half_step):
     """3.2: the fields from `position_bits` to `error`."""
     real = bytes.f32 if narrow_head else bytes.f64
-    require(bytes.u8() <= 64, "position_bits")
+    bits = bytes.u8()
+    coarse_origin = bits >> 7
+    bits &= 127
+    require(bits <= 64, "position_bits")
+    require(whole_origin or not coarse_origin, "coarse_origin without whole_origin")
+    unit = 2 ** max(bits - 6, 0) if coarse_origin else 1
     head.step = real()
     require(math.isfinite(head.step) and head.step > 0, "step")
-    head.origin = tuple(read_steps(bytes) * head.step if whole_origin else real() for _ in range(3))
+    head.origin = tuple(read_steps(bytes, unit) * head.step if whole_origin else real() for _ in range(3))
     require(all(math.isfinite(x) for x in head.origin), "origin")
     head.bound = head.step / 2 if half_step else real()
     require(math.isfinite(head.bound) and head.bound >= 0, "bound")
-    head.error = head.bound * (bytes.u16() / 65535)
+    s = bytes.u8() / 255
+    head.error = head.bound * ((s * s) * s)
 
 
-def read_steps(bytes):
+def read_steps(bytes, unit):
     """3.2: n of a coordinate of `origin`, a whole number of steps."""
-    n = bytes.zigzag()
+    n = bytes.zigzag() * unit
     require(abs(n) < 2**53, "origin in steps")
     return float(n)
 
@@ -183,7 +188,7 @@ def read_block(data, tets):
     b.points = bytes.varint() if b.has_copies else b.vertices
     require(b.points <= b.vertices, "points")
     told = bytes.u8()
-    require(told < 16, "bits 4 to 7 of `told`")
+    require(told < (32 if tets else 16), "bits of `told` for fields that are not there")
     b.unused_points = bytes.varint() if told & 1 else 0
     require(b.vertices + b.unused_points < most, "unused_points")
     b.companions = bytes.varint() if told & 2 else 0
@@ -192,14 +197,14 @@ def read_block(data, tets):
     b.links = bytes.varint() if told & 8 else 0
     require(b.links <= b.corners, "links")
     if tets:
+        b.shape_step = bytes.varint() if told & 16 else 0
+        require(b.shape_step <= 2**52, "shape_step")
         b.grid_side = bytes.varint()
         require(1 <= b.grid_side <= 2**52, "grid_side")
         b.grid_count = [bytes.varint() for _ in range(3)]
         require(all(1 <= n < 2**32 for n in b.grid_count), "grid_count")
         blocks = math.prod((n + 3) // 4 for n in b.grid_count)
         require(blocks <= b.vertices // 4 + 64, "grid_count: too many blocks of cubes")
-        b.shape_step = bytes.varint()
-        require(b.shape_step <= 2**52, "shape_step")
     bytes.end()
     return b
 
@@ -211,9 +216,9 @@ def usual_components(block):
 
 def check_memory(head, block, sections, limit):
     """15: what the code beside the specification may take. This decoder takes more."""
-    P, Q, V = (100 if head.tets else 52), 80, 720
+    P, Q, V = (100 if head.tets else 52), 80, 724
     if head.keeps_order:
-        P, Q, V = P + 24, 192, 776
+        P, Q, V = P + 24, 192, 780
     if block.edge_points:
         Q += 168
     if block.has_precedents:

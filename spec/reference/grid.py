@@ -9,6 +9,7 @@ MOST_LOOKED_AT = 1500
 class Grid:
     def __init__(self, block):
         self.side = float(block.grid_side)
+        self.unit = self.side * self.side  # 7.5, 7.7
         self.count = block.grid_count
         self.cubes = {}
 

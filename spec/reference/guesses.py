@@ -13,8 +13,8 @@ TRIANGLE_SET = 7  # the first of its ten
 WEIGHT_COUNT = (2, 5, 6, 10, 3, 7, 5) + 10 * (7,)  # per set
 DEFAULTS = {
     4: [2048, 0, 1024],
-    5: [0, -256, 1400, 800, 600, 2800, 0],
-    6: [800, 0, 2400, 0, 0],
+    5: [160, 450, 1230, 2040, -730, 4430, -520],
+    6: [450, 190, 2860, 90, 0],
     7: [-1630, 84, -378, -37, -7, -33, 236],
     8: [-2934, -527, -1097, 250, -88, -236, -283],
     9: [-2678, -345, -634, 119, 134, -181, -188],
@@ -152,8 +152,9 @@ def _guess_border(p, weights):
         away = cross(u, up)
         t[1] = away
         t[2] = times(away, (length(minus(p[2], p[0])) + length(minus(p[2], p[1]))) / (2 * edge))
-        t[3] = times(up, edge)
-    t[4] = minus(p[3], base)
+        beyond = minus(p[3], base)
+        t[3] = minus(beyond, times(up, dot(beyond, up)))
+        t[4] = times(up, edge)
     sum = (0.0, 0.0, 0.0)
     for i in range(5):
         sum = plus(sum, times(t[i], float(weights[i])))

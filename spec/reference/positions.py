@@ -4,7 +4,7 @@ import math
 
 import guesses
 from along import Along
-from conventions import NONE, clamp, i64, scale, to_24_digits, width
+from conventions import NONE, clamp, divide, i64, scale, to_24_digits, width
 from echoes import Echoes
 from errors import require
 from followers import Followers
@@ -35,7 +35,7 @@ class Positions:
         self.value = []
         self.coordinate = []
         self.escaped_bits = {}  # by vertex and axis
-        self.sizes = Sizes(stream, guesses.KINDS)
+        self.sizes = Sizes(stream, guesses.KINDS, self.start(head))
         self.signs = Signs(stream)
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
@@ -53,6 +53,13 @@ class Positions:
         self.last_whole_zero = [False] * 3
         self.last_escape = [False] * 3
         self.last_escaped_bits = [0] * 3
+
+    def start(self, head):
+        """8.6: what expected sizes start from."""
+        if not head.tets:
+            return 16
+        x = divide(float(self.block.grid_side), self.place_scale if head.lossless else 1.0) / 4
+        return math.floor(min(x, 2.0**40)) if x > 1 else 1
 
     def flag(self, name, *coordinates):
         return self.stream.flag(self.contexts[name], *coordinates)

@@ -56,7 +56,9 @@ def read_positions_head(data, head):
     p.weights = []
     for c, count in enumerate(guesses.WEIGHT_COUNT):
         if fitted >> c & 1:
-            weights = [bytes.zigzag() for _ in range(count)]
+            grain = bytes.u8()
+            require(grain <= 15, "grain")
+            weights = [bytes.zigzag() * 2**grain for _ in range(count)]
             require(all(-32768 <= w <= 32767 for w in weights), "a weight beyond 16 bits")
         else:
             weights = guesses.default_weights(c, bool(fitted >> 17 & 1))

@@ -8,9 +8,10 @@ MOST32 = 2**32 - 1
 
 SEED = 0  # the configuration that has variants
 TET = 6  # from here on configurations are of tets
+BORDER = 7
 NO_ONE, SEEDS, EVERYONE = range(3)
 
-FOLLOWERS = 5  # their kind
+OFF_A_PLANE, FOLLOWERS = 4, 5  # their kinds
 
 
 def scale_of(e):
@@ -23,11 +24,13 @@ def scale_of(e):
 class Sizes:
     """Magnitudes per element and slot, whom it tells, and `usual` per configuration and variant."""
 
-    def __init__(self, stream, kinds=(0,)):
-        """`kinds`: those of the configurations (8.6)."""
+    def __init__(self, stream, kinds=(0,), start=16):
+        """`kinds`: those of the configurations, `start`: as in 8.6."""
         self.stream = stream
         self.kinds = kinds
         self.usual = defaultdict(lambda: 256)
+        for configuration, variant in ((SEED, 0), (SEED, 1), (SEED, 2), (TET, 0), (BORDER, 0)):
+            self.usual[configuration, variant] = 16 * start
         self.magnitudes = {}
         self.tells = {}
 
@@ -57,9 +60,10 @@ class Sizes:
         return [p for p in near if self.tells[p] != NO_ONE]
 
     def residual(self, k, e=None, sign=None):
-        """A residual of slot k, under its scale or by an e of its own; `sign` as for streams."""
+        """A residual of slot k, under its scale or by that off a plane; `sign` as for streams."""
         scale = scale_of(self.e(k) if e is None else e)
-        return self.note(k, self.stream.residual(*scale, self.kinds[self.configuration], sign))
+        kind = self.kinds[self.configuration] if e is None else OFF_A_PLANE
+        return self.note(k, self.stream.residual(*scale, kind, sign))
 
     def residual_under(self, k, context, differs):
         """A residual of slot k under a context with bits 2; `differs` as for streams."""

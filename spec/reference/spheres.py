@@ -5,6 +5,17 @@ import math
 from conventions import cross, dot, minus
 
 
+def normal(p):
+    """N of three places (7.5, 7.7)."""
+    return cross(minus(p[1], p[0]), minus(p[2], p[0]))
+
+
+def longest(p):
+    """The square of the longest side of three places."""
+    sides = [minus(p[(i + 1) % 3], p[i]) for i in range(3)]
+    return max(dot(w, w) for w in sides)
+
+
 class Spheres:
     def __init__(self, a, b, c, mirrored):
         self.a = a

@@ -3,14 +3,14 @@
 import math
 
 from apex import Apex
-from conventions import NONE, cross, dot, minus
+from border_signs import BorderSigns
+from conventions import NONE
 from errors import require
 from grid import Grid
 from shapes import Gate, Shapes
 from walk import BORDER, GONE, OPEN, Walk
 
 OUTWARD = ((1, 2, 3), (2, 0, 3), (0, 1, 3), (0, 2, 1))
-KIND_NUMBER = {"fold": 0, "fresh": 1, "old": 2}
 
 
 class TetWalk(Walk):
@@ -159,21 +159,20 @@ class TetWalk(Walk):
                     self.become_border(f)
                 return
         # 2
-        if self.block.has_border:
-            n = sum(self.on_border[v] for v in self.triple(f))
-            flat = 0
-            beside = 0
-            for e in range(3):
-                g = self.across(f, e)
-                if self.state[g] == BORDER:
-                    beside += 1
-                    flat = max(flat, self.flatness(f, g))
-            if self.flag("kBorder", flat, n, KIND_NUMBER[kind], beside):
-                self.become_border(f)
-                return
+        if self.block.has_border and self.read_border(f):
+            self.become_border(f)
+            return
         # 3
         self.state[f] = OPEN
         self.opened(f)
+
+    def read_border(self, f):
+        signs = BorderSigns(self, f)
+        g = self.shapes.like.get(f, NONE) if self.shapes else NONE
+        if g != NONE:
+            return self.flag("kLedBorder", self.state[g] == BORDER, signs.around(), signs.valley(), signs.behind)
+        return self.flag(
+            "kBorder", signs.around(), signs.valley(), signs.behind, 3 * signs.depth() + signs.length())
 
     def become_border(self, f):
         self.state[f] = BORDER
@@ -188,20 +187,6 @@ class TetWalk(Walk):
             y = self.mate[t]
             if x != t and y != s:
                 self.pair(x, y, self.fan[s] + self.fan[t])
-
-    def normal(self, f):
-        p = [self.place(v) for v in self.triple(f)]
-        return cross(minus(p[1], p[0]), minus(p[2], p[0]))
-
-    def flatness(self, f, g):
-        m = self.normal(f)
-        n = self.normal(g)
-        d = dot(m, n)
-        q = dot(m, m) * dot(n, n)
-        if not d > 0:
-            return 1
-        r = d * d
-        return 6 if r > 0.9999 * q else 5 if r > 0.99 * q else 4 if r > 0.9 * q else 3 if r > 0.5 * q else 2
 
     # 7.8
 

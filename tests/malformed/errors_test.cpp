@@ -122,8 +122,8 @@ TEST_CASE("a packed section that says it holds too much, too little or nothing i
     const auto parts = *test::take_apart(v.file);
     for (const SectionId id :
          {SectionId::head, SectionId::block, SectionId::connectivity, SectionId::positions})
-        for (const std::uint64_t claim :
-             {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 33, ~std::uint64_t{0}}) {
+        for (const std::uint64_t beyond : {std::uint64_t{1}, ~std::uint64_t{0},
+                                           std::uint64_t{1} << 33, std::uint64_t{1} << 63}) {
             ByteWriter out;
             write_start(out, test::mask_of(parts));
             for (const auto& part : parts) {
@@ -133,11 +133,11 @@ TEST_CASE("a packed section that says it holds too much, too little or nothing i
                 }
                 const Bytes packed = pack(part.raw, 3);
                 out.varint(std::uint64_t{packed.size()} << 1 | 1);
-                out.varint(claim);
+                out.varint(part.raw.size() + beyond);
                 out.raw(packed);
             }
             write_end(out);
-            INFO(name_of(id) << " claims " << claim);
+            INFO(name_of(id) << " claims " << beyond << " more");
             const Code code = code_of(out.bytes());
             CHECK((code == Code::corrupt || code == Code::limit_exceeded));
         }

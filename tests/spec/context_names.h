@@ -29,11 +29,13 @@ inline const std::vector<NamedBlock>& surface_blocks() {
 
 inline const std::vector<NamedBlock>& tet_blocks() {
     static const std::vector<NamedBlock> blocks{
-        {"kLowest", tet::kLowest}, {"kNew", tet::kNew},           {"kNext", tet::kNext},
-        {"kNear", tet::kNear},     {"kNearRank", tet::kNearRank}, {"kOldFar", tet::kOldFar},
-        {"kGlue", tet::kGlue},     {"kBorder", tet::kBorder},     {"kFlip", tet::kFlip},
-        {"kCopy", tet::kCopy},     {"kCopyNear", tet::kCopyNear}, {"kCopyOf", tet::kCopyOf},
-        {"kLed", tet::kLed}};
+        {"kLowest", tet::kLowest},     {"kNew", tet::kNew},
+        {"kNext", tet::kNext},         {"kNear", tet::kNear},
+        {"kNearRank", tet::kNearRank}, {"kOldFar", tet::kOldFar},
+        {"kGlue", tet::kGlue},         {"kBorder", tet::kBorder},
+        {"kFlip", tet::kFlip},         {"kCopy", tet::kCopy},
+        {"kCopyNear", tet::kCopyNear}, {"kCopyOf", tet::kCopyOf},
+        {"kLed", tet::kLed},           {"kLedBorder", tet::kLedBorder}};
     return blocks;
 }
 

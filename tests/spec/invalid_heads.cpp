@@ -11,7 +11,12 @@ void InvalidMaker::heads() {
     const auto flags = [&](const char* name, SectionId id, unsigned bits) {
         return raw_changed(name, id, [&](Bytes& raw) { raw[0] |= byte(bits); });
     };
-    add(14, "flags", "bit 7 of flags", flags("two-quads", SectionId::head, 128));
+    add(14, "coarse-origin", "coarse_origin without whole_origin",
+        raw_changed("two-quads", SectionId::head, [](Bytes& raw) {
+            raw[0] &= ~byte(32);
+            raw[1] |= byte(128);
+            raw.insert(raw.begin() + 6, 9, byte(0));  // the origin's three bytes become floats
+        }));
     add(14, "narrow", "narrow_head with lossless", flags("quad", SectionId::head, 16));
     add(14, "whole-origin", "whole_origin with lossless", flags("quad", SectionId::head, 32));
     add(14, "half-step", "half_step with lossless", flags("quad", SectionId::head, 64));
@@ -33,8 +38,8 @@ void InvalidMaker::heads() {
         }));
     add(16, "attributes", "attribute_count is 200",
         raw_changed("quad", SectionId::head, [](Bytes& raw) {
-            raw[1] = byte(200);
-            raw.insert(raw.begin() + 2, byte(1));
+            raw[0] |= byte(128);
+            raw.insert(raw.end(), {byte(200), byte(1)});
         }));
     const auto attribute = [&](int row, const char* name, const char* says, auto change) {
         add(row, name, says, head_changed("attributes", [&](Head& h) { change(h.attributes[0]); }));
@@ -70,8 +75,10 @@ void InvalidMaker::counts() {
     const auto block = [&](int row, const char* name, const char* says, auto change) {
         add(row, name, says, block_changed("two-quads", kPolygon, change));
     };
-    add(6, "told", "told is 16",
+    add(6, "told", "told is 16, of polygons",
         raw_changed("two-quads", SectionId::block, [](Bytes& raw) { raw.back() = byte(16); }));
+    add(6, "told-of-tets", "told is 32",
+        raw_changed("two-tets", SectionId::block, [](Bytes& raw) { raw[3] = byte(32); }));
     block(20, "cells", "2^32 - 2 cells", [](BlockHead& b) { b.cells = 0xFFFFFFFE; });
     block(20, "vertices", "more vertices than corners",
           [](BlockHead& b) { b.vertices = b.points = 9; });

@@ -133,16 +133,22 @@ void InvalidMaker::positions() {
     };
     headed(40, "levels", "level_bits is 55", 128, 55);
     headed(40, "pairs", "has_pairs where level_bits is 0", 128, 128);
-    add(41, "weight", "a weight of 32768",
-        raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
-            ByteWriter out;
-            out.u8(0);
-            out.u8(1);  // of seed
-            out.varint(zigzag(32768));
-            out.varint(0);
-            out.raw(std::span(raw).subspan(2));
-            raw = out.take();
-        }));
+    const auto weight = [&](const char* name, const char* says, unsigned grain,
+                            std::int64_t steps) {
+        add(41, name, says, raw_changed("two-quads", SectionId::positions, [=](Bytes& raw) {
+                ByteWriter out;
+                out.u8(0);
+                out.u8(1);  // of seed
+                out.u8(static_cast<std::uint8_t>(grain));
+                out.varint(zigzag(steps));
+                out.varint(0);
+                out.raw(std::span(raw).subspan(2));
+                raw = out.take();
+            }));
+    };
+    weight("weight", "a weight of 32768", 0, 32768);
+    weight("grain-weight", "a weight of 512 times 64", 6, 512);
+    weight("grain", "grain is 16", 16, 0);
     add(41, "fitted", "fitted is 2^19",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;

@@ -27,18 +27,18 @@ std::string number_text(double x, bool narrow) {
 void tell_head(Fields f) {
     const unsigned flags = f.u8("flags");
     if ((flags & 4) == 0) {
-        f.u8("position_bits");
+        const unsigned bits = f.u8("position_bits");
         const bool narrow = (flags & 16) != 0;
         f.real("step", narrow);
         for (int axis = 0; axis < 3; ++axis)
             if ((flags & 32) != 0)
-                f.signed_varint("origin / step");
+                f.signed_varint((bits & 128) != 0 ? "origin / coarse step" : "origin / step");
             else
                 f.real("origin", narrow);
         if ((flags & 64) == 0) f.real("bound", narrow);
-        f.u16("error / bound * 65535");
+        f.u8("error");
     }
-    const std::uint64_t count = f.varint("attribute_count");
+    const std::uint64_t count = (flags & 128) != 0 ? f.varint("attribute_count") : 0;
     for (std::uint64_t i = 0; i < count; ++i) {
         f.text("name");
         f.u8("kind");
@@ -60,12 +60,11 @@ void tell_block(Fields f, bool tets) {
     if (flags & 4) f.varint("points");
     const unsigned told = f.u8("told");
     unsigned i = 0;
-    for (const char* name : {"unused_points", "companions", "components", "links"})
+    for (const char* name : {"unused_points", "companions", "components", "links", "shape_step"})
         if ((told >> i++ & 1) != 0) f.varint(name);
     if (!tets) return;
     f.varint("grid_side");
     for (int axis = 0; axis < 3; ++axis) f.varint("grid_count");
-    f.varint("shape_step");
 }
 
 namespace {
@@ -123,15 +122,21 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
         format.has_pairs = (levels & 128) != 0;
     }
     if ((fitted & kNoTriangleDefaults) != 0) format.weights = without_triangles(format.weights);
-    for (std::size_t c = 0; c < kWeightSets; ++c)
-        for (std::size_t i = 0; i < kFeatureCount[c] && (fitted >> c & 1); ++i)
-            format.weights[c][i] = static_cast<std::int16_t>(f.signed_varint("weight"));
+    for (std::size_t c = 0; c < kWeightSets; ++c) {
+        if ((fitted >> c & 1) == 0) continue;
+        const unsigned grain = f.u8("grain");
+        for (std::size_t i = 0; i < kFeatureCount[c]; ++i)
+            format.weights[c][i] =
+                static_cast<std::int16_t>(f.signed_varint("weight") * (std::int64_t{1} << grain));
+    }
     if ((fitted & kHasRounds) != 0) tell_round_faces(f, format);
     format.has_stand_ins = head.lossless && head.kind == CellKind::tet;
     if (format.has_stand_ins) {
         for (double& x : format.place_origin) x = f.real("place_origin", false);
         format.place_scale = f.real("place_scale", false);
     }
+    if (head.kind == CellKind::tet)
+        format.usual_start = usual_start_of(format, static_cast<double>(block.grid_side));
     return format;
 }
 
