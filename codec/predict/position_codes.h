@@ -19,6 +19,7 @@
 #include "predict/level_codes.h"
 #include "predict/numbers.h"
 #include "predict/position_format.h"
+#include "predict/position_guess.h"
 #include "predict/predictor.h"
 #include "predict/pricing.h"
 #include "predict/residual_context.h"
@@ -34,7 +35,7 @@ class PositionCodes {
                   const std::vector<std::uint8_t>* leads = nullptr)
         : coder_(coder),
           format_(format),
-          most_(format.most()),
+          rounding_(format),
           keeps_exact_(format.keeps_exact()),
           earlier_(coder, format_),
           predictor_(format.weights, format.mirrored, format.leaders_move),
@@ -62,7 +63,7 @@ class PositionCodes {
     // False: a value no encoder writes.
     bool next(const Stencil& stencil, const Position& truth) {
         if (is_plain_) return next_plain(stencil, truth);
-        Guess guess = guess_of(stencil);
+        PositionGuess guess = guess_of(stencil);
         // The middle of an edge tells more than an echo.
         const bool edge = is_edge(stencil);
         Earlier found;
@@ -124,7 +125,7 @@ class PositionCodes {
                 if (same) {
                     value[axis] = found.value[axis];
                     if (found.copies) exact[axis] = found.exact[axis];
-                    sane = std::abs(value[axis]) < static_cast<double>(most_);
+                    sane = std::abs(value[axis]) < static_cast<double>(rounding_.most);
                 } else {
                     number.whole =
                         sum_of(found.whole[axis],
@@ -139,7 +140,7 @@ class PositionCodes {
                     value[axis] = values_[levels_.vertex()][axis];
                     if (keeps_exact_) exact[axis] = exact_[levels_.vertex()][axis];
                 } else {
-                    const double part = carried ? 0 : part_of(guess.at[axis], whole);
+                    const double part = carried ? 0 : rounding_.part_of(guess.at[axis], whole);
                     missed =
                         code_whole(carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step),
                                    whole, number.whole, sign_by(axis, part));
@@ -147,7 +148,7 @@ class PositionCodes {
             }
             if (!same) {
                 const bool tells = edge && missed == 0;  // the guess, of what is behind the point
-                sane = number.whole < most_ && number.whole > -most_ &&
+                sane = number.whole < rounding_.most && number.whole > -rounding_.most &&
                        rest_.next(a, tells ? &guess.at[axis] : nullptr, number);
                 if (number.escaped)
                     escapes_.push_back({number.rest, static_cast<Id>(values_.size()), a});
@@ -179,11 +180,12 @@ class PositionCodes {
         bool sane = true;
         for (std::size_t axis = 0; axis < 3 && sane; ++axis) {
             std::int64_t whole = truth[axis].whole;
-            const std::int64_t guess = whole_of(g[axis]);
-            const std::int64_t missed = code_whole(sizes_.scale(axis, axis), guess, whole,
-                                                   sign_by(axis, part_of(g[axis], guess)));
+            const std::int64_t guess = rounding_.whole_of(g[axis]);
+            const std::int64_t missed =
+                code_whole(sizes_.scale(axis, axis), guess, whole,
+                           sign_by(axis, rounding_.part_of(g[axis], guess)));
             sizes_.coded_residual(axis, missed);
-            sane = whole < most_ && whole > -most_;
+            sane = whole < rounding_.most && whole > -rounding_.most;
             if (sane) value[axis] = static_cast<double>(whole);
         }
         sizes_.push();
@@ -239,19 +241,7 @@ class PositionCodes {
     static constexpr double kMuch = 1e300;
     static constexpr std::size_t kNoBorder = 3;
 
-    struct Guess {
-        const Stencil* stencil;
-        Point3 at{};
-        std::array<std::int64_t, 3> whole{};  // of the coordinates
-        std::array<std::size_t, 3> axes{};    // in the order in which they are coded
-        bool along = false;                   // a border tells the last of them
-    };
-
     Id next_vertex() const { return static_cast<Id>(values_.size()); }
-
-    static bool is_edge(const Stencil& stencil) {
-        return stencil.configuration == Configuration::edge;
-    }
 
     // `stays`: where an earlier vertex stands, which is enough for who looks for one.
     void add(const Point3& value, const Point3& exact, bool stays) {
@@ -267,52 +257,37 @@ class PositionCodes {
 
     Point3 guess_at(const Stencil& stencil) {
         Point3 g = predictor_.guess(stencil, values_);
-        for (double& x : g) x = clamped(x);
+        for (double& x : g) x = rounding_.clamped(x);
         // A middle that was computed was rounded as the mesh's floats are.
         if (stencil.configuration == Configuration::edge && format_.narrow &&
             format_.numbers.base == NumberBase::binary)
             for (double& x : g) x = to_24_bits(x);
         return g;
     }
-    Guess guess_of(const Stencil& stencil) {
+    PositionGuess guess_of(const Stencil& stencil) {
         const Point3 g = guess_at(stencil);
-        return {&stencil, g, {whole_of(g[0]), whole_of(g[1]), whole_of(g[2])}, {0, 1, 2}, false};
+        return {&stencil,
+                g,
+                {rounding_.whole_of(g[0]), rounding_.whole_of(g[1]), rounding_.whole_of(g[2])},
+                {0, 1, 2},
+                false};
     }
     // Of a vertex that goes on with the border that was met last.
-    Guess guess_along() {
-        Guess guess = guess_of(border_->stencil());
+    PositionGuess guess_along() {
+        PositionGuess guess = guess_of(border_->stencil());
         guess.at = border_->laid(guess.at);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            guess.at[axis] = clamped(guess.at[axis]);
-            guess.whole[axis] = whole_of(guess.at[axis]);
+            guess.at[axis] = rounding_.clamped(guess.at[axis]);
+            guess.whole[axis] = rounding_.whole_of(guess.at[axis]);
         }
         guess.axes = border_->axes();
         guess.along = true;
         return guess;
     }
     // The last coordinate of such a vertex, the others of `value` being known.
-    std::int64_t whole_carried(const Guess& guess, const Point3& value) const {
-        return whole_of(clamped(border_->carried(guess.at, value)));
+    std::int64_t whole_carried(const PositionGuess& guess, const Point3& value) const {
+        return rounding_.whole_of(rounding_.clamped(border_->carried(guess.at, value)));
     }
-    // The coordinate on the axis before, if it has been coded.
-    static const double* before_of(const Guess& guess, std::size_t axis, const Point3& value) {
-        return axis == 0 || guess.axes[2] == axis - 1 ? nullptr : &value[axis - 1];
-    }
-    double clamped(double x) const {
-        const auto most = static_cast<double>(most_);
-        return std::clamp(x, -most, most);
-    }
-    // The whole part nearest to a value; where there are digits behind the point they are cut off.
-    std::int64_t whole_of(double units) const {
-        return format_.numbers.digits > 0 ? static_cast<std::int64_t>(units)
-                                          : whole_below(units + 0.5);
-    }
-
-    // What whole_of took off.
-    double part_of(double units, std::int64_t whole) const {
-        return format_.numbers.digits > 0 ? 0 : units - static_cast<double>(whole);
-    }
-
     auto sign_by(std::size_t axis, double part) const {
         return [this, axis, part](std::uint32_t size) { return sizes_.sign(size, axis, part); };
     }
@@ -332,10 +307,9 @@ class PositionCodes {
             found.value =
                 carried(values_, stencil, before, minus(values_[leader], guess_at(before)), g);
         }
-        const auto most = static_cast<double>(most_);
         for (std::size_t k = 0; k < 3; ++k) {
-            found.value[k] = std::clamp(found.value[k], -most, most);
-            found.whole[k] = whole_of(found.value[k]);
+            found.value[k] = rounding_.clamped(found.value[k]);
+            found.whole[k] = rounding_.whole_of(found.value[k]);
             if (format_.numbers.digits == 0 && !found.copies)
                 found.value[k] = static_cast<double>(found.whole[k]);
         }
@@ -344,7 +318,7 @@ class PositionCodes {
     // What the vertex would take by its guess, for the writer, or `enough` where it is that or
     // more: the least of that without a border, and with each of those beside it. `border`: which
     // that is.
-    double least_price(const Guess& guess, const Position& truth, std::size_t& border,
+    double least_price(const PositionGuess& guess, const Position& truth, std::size_t& border,
                        double enough = kMuch) {
         border = kNoBorder;
         double least = enough, no = 0;
@@ -352,15 +326,17 @@ class PositionCodes {
             if (!border_->meet(*guess.stencil, e, values_)) continue;
             const double yes = no + coder_.cost(border_->context(), true);
             no += coder_.cost(border_->context(), false);
-            const double bits = yes + price(guess_along(), truth, least - yes);
-            if (bits < least) least = bits, border = e;
+            const PositionGuess along = guess_along();
+            const double bits = yes + price(along, truth, least - yes);
+            if (!(bits < least)) continue;
+            least = bits, border = e;
         }
         const double bits = no + price(guess, truth, least - no);
         if (bits < least) border = kNoBorder;
         return std::min(bits, least);
     }
     // Those that its coordinates take, or more than `enough`.
-    double price(Guess guess, const Position& truth, double enough) {
+    double price(PositionGuess guess, const Position& truth, double enough) {
         Pricing<Coder> pricing{coder_};
         const Point3 value = units_of(format_.numbers, truth);
         const auto answers = levels_.answers();
@@ -377,7 +353,7 @@ class PositionCodes {
             };
             if (!levels || !levels_.next_by(pricing, values_, axis, whole,
                                             before_of(guess, axis, value), has)) {
-                const double part = carried ? 0 : part_of(guess.at[axis], whole);
+                const double part = carried ? 0 : rounding_.part_of(guess.at[axis], whole);
                 code_residual(pricing,
                               carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step), r,
                               sign_by(axis, part));
@@ -389,7 +365,7 @@ class PositionCodes {
         return pricing.bits;
     }
     // Would it take more by its guess than that?
-    bool guess_takes_more(double bits, const Guess& guess, const Position& truth,
+    bool guess_takes_more(double bits, const PositionGuess& guess, const Position& truth,
                           std::optional<std::size_t>& border) {
         border.emplace();
         return !(least_price(guess, truth, *border, bits) < bits);
@@ -404,15 +380,10 @@ class PositionCodes {
         whole = sum_of(guess, r);
         return r;
     }
-    // A file may hold any residual: the sum wraps.
-    static std::int64_t sum_of(std::int64_t guess, std::int64_t r) {
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(guess) +
-                                         static_cast<std::uint64_t>(r));
-    }
 
     Coder& coder_;
     const PositionFormat format_;
-    const std::int64_t most_;
+    const Rounding rounding_;
     const bool keeps_exact_;
     bool is_plain_ = false;
     EarlierCodes<Coder> earlier_;

@@ -28,16 +28,17 @@ struct BorderSigns {
         depth_ = depth * depth;
     }
 
-    // The triangle across an edge, and its vertex that is not on it.
-    void meet(const std::array<Point3, 3>& mate, const Point3& apex, bool border) {
-        const Point3 normal = normal_of(mate);
+    // The triangle across an edge, by its vertex that is not on it; `points()` are all three.
+    template <class Points>
+    void meet(const Point3& apex, bool border, const Points& points) {
+        beside += border;
+        if (!border && !(side_ * dot(minus(apex, facet_[0]), normal_) > 0)) return;
+        const Point3 normal = normal_of(points());
         const double d = dot(normal_, normal);
-        if (border) {
-            ++beside;
+        if (border)
             flat = std::max(flat, flatness(d, square_ * dot(normal, normal)));
-        } else if (side_ * dot(minus(apex, facet_[0]), normal_) > 0) {
+        else
             valley = std::max(valley, d > 0 ? 1u : 2u);
-        }
     }
 
     // How many of its vertices and edges are on borders and, where there are such edges, how flat:

@@ -356,7 +356,8 @@ class TetWalk {
         for (Id e = 0; e < 3; ++e) {
             signs.vertices += on_border_[t.vertex[e]];
             const TetFront::Triangle& mate = front_.across(t, e);
-            signs.meet(points_of(mate), driver_.place(front_.apex_across(t, e)), mate.border);
+            signs.meet(driver_.place(front_.apex_across(t, e)), mate.border,
+                       [&] { return points_of(mate); });
         }
         const bool apex = on_border_[walked_.vertex[t.facet]] != 0;
         const Id like = leaders_ ? leaders_->like(t.facet) : kNone;
