@@ -7,14 +7,15 @@
 #include <cstdint>
 
 #include "mesh/point3.h"
+#include "walk/sphere_family.h"
 
 namespace ravel {
 
 class ApexSigns {
   public:
-    ApexSigns(const std::array<Point3, 3>& gate, const Point3& apex) {
-        const Point3 normal = cross(minus(gate[1], gate[0]), minus(gate[2], gate[0]));
-        const double height = dot(minus(apex, gate[0]), normal);
+    // `spheres`: those through the gate.
+    ApexSigns(const std::array<Point3, 3>& gate, const SphereFamily& spheres, const Point3& apex) {
+        const double height = spheres.above_of(apex);
         double longest = 0;
         for (std::size_t e = 0; e < 3; ++e) {
             const Point3 edge = minus(gate[(e + 1) % 3], gate[e]), way = minus(apex, gate[e]);
@@ -22,7 +23,7 @@ class ApexSigns {
             farthest_ = std::max(farthest_, dot(way, way));
         }
         height_ = height * height;
-        wide_ = dot(normal, normal) * longest;
+        wide_ = spheres.normal_square() * longest;
     }
 
     // How high the apex is over the gate, compared to the gate's longest edge: below 5.

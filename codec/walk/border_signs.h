@@ -24,15 +24,19 @@ struct BorderSigns {
             const Point3 edge = minus(facet[(e + 1) % 3], facet[e]);
             longest_ = std::max(longest_, dot(edge, edge));
         }
-        const double depth = dot(minus(behind, facet[0]), normal_);
-        depth_ = depth * depth;
+        depth_ = side * dot(minus(behind, facet[0]), normal_);
     }
 
-    // The triangle across an edge, by its vertex that is not on it; `points()` are all three.
+    // How high a point lies over the facet, and how high its own apex, in one measure.
+    double height_of(const Point3& p) const { return side_ * dot(minus(p, facet_[0]), normal_); }
+    double height_behind() const { return depth_; }
+
+    // The triangle across an edge: how high its vertex lies that is not on it; `points()` are all
+    // three.
     template <class Points>
-    void meet(const Point3& apex, bool border, const Points& points) {
+    void meet(double height, bool border, const Points& points) {
         beside += border;
-        if (!border && !(side_ * dot(minus(apex, facet_[0]), normal_) > 0)) return;
+        if (!border && !(height > 0)) return;
         const Point3 normal = normal_of(points());
         const double d = dot(normal_, normal);
         if (border)
@@ -49,8 +53,8 @@ struct BorderSigns {
     }
     // How deep its tet is and how long its longest edge, which is compared to `length`: below 9.
     std::uint32_t shape(double length) const {
-        const double wide = square_ * longest_, unit = length * length;
-        const std::uint32_t deep = depth_ < 0.25 * wide ? 0 : depth_ < 0.49 * wide ? 1 : 2;
+        const double wide = square_ * longest_, unit = length * length, d = depth_ * depth_;
+        const std::uint32_t deep = d < 0.25 * wide ? 0 : d < 0.49 * wide ? 1 : 2;
         return 3 * deep + (longest_ < 3.61 * unit ? 0 : longest_ < 6.76 * unit ? 1 : 2);
     }
 

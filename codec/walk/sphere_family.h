@@ -42,6 +42,9 @@ class SphereFamily {
         const Point3 q = minus(p, a_);
         return {dot(normal_, q), dot(q, q) - 2 * dot(q, centre_)};
     }
+    // That height alone, in lengths of the normal.
+    double above_of(const Point3& p) const { return dot(normal_, minus(p, a_)); }
+    double normal_square() const { return square_; }
     // Height of the centre along the (unnormalised) normal; only of what is above.
     static double height_of(const Lift& lift) { return lift.twice / (2 * lift.above); }
     // The height that equals the triangle's circumradius; others are told in multiples of it.

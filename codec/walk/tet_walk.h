@@ -220,7 +220,7 @@ class TetWalk {
             height = height_class(lowest, family.unit());
             times = lowest.times;
             const std::uint32_t gap = lowest.above ? gap_class(list_, family.unit()) : 3;
-            const ApexSigns signs(points_of(gate), driver_.place(lowest.vertex));
+            const ApexSigns signs(points_of(gate), family, driver_.place(lowest.vertex));
             if (driver_.flag(tet::kLowest.at((height + 1) / 2, folds_class(lowest), gap,
                                              4 * signs.height() + signs.reach(limits_.grid_side)),
                              driver_.apex_is(lowest.vertex)))
@@ -351,21 +351,23 @@ class TetWalk {
 
     // Of the question whether a triangle, which a new tet has made, is a border.
     Context border_context(const TetFront::Triangle& t) const {
-        BorderSigns signs(points_of(t), driver_.place(walked_.vertex[t.facet]),
-                          limits_.mirrored ? -1 : 1);
+        const Id behind = walked_.vertex[t.facet];
+        BorderSigns signs(points_of(t), driver_.place(behind), limits_.mirrored ? -1 : 1);
         for (Id e = 0; e < 3; ++e) {
             signs.vertices += on_border_[t.vertex[e]];
             const TetFront::Triangle& mate = front_.across(t, e);
-            signs.meet(driver_.place(front_.apex_across(t, e)), mate.border,
-                       [&] { return points_of(mate); });
+            const Id apex = front_.apex_across(t, e);
+            signs.meet(
+                apex == behind ? signs.height_behind() : signs.height_of(driver_.place(apex)),
+                mate.border, [&] { return points_of(mate); });
         }
-        const bool apex = on_border_[walked_.vertex[t.facet]] != 0;
+        const bool bordered = on_border_[behind] != 0;
         const Id like = leaders_ ? leaders_->like(t.facet) : kNone;
         if (like == kNone)
-            return tet::kBorder.at(signs.around(), signs.valley, apex,
+            return tet::kBorder.at(signs.around(), signs.valley, bordered,
                                    signs.shape(limits_.grid_side));
         const bool led = walked_.twin[like] == kNone && triangle_of_[like] == kNone;
-        return tet::kLedBorder.at(led, signs.around(), signs.valley, apex);
+        return tet::kLedBorder.at(led, signs.around(), signs.valley, bordered);
     }
     std::array<Point3, 3> points_of(const TetFront::Triangle& t) const {
         return {driver_.place(t.vertex[0]), driver_.place(t.vertex[1]), driver_.place(t.vertex[2])};

@@ -21,7 +21,11 @@ std::array<Point3, 3> mate_at(double angle) {
 }
 void meet(BorderSigns& signs, double angle, bool border) {
     const auto mate = mate_at(angle);
-    signs.meet(mate[2], border, [&] { return mate; });
+    signs.meet(signs.height_of(mate[2]), border, [&] { return mate; });
+}
+
+ApexSigns signs_of(const std::array<Point3, 3>& gate, const Point3& apex) {
+    return {gate, SphereFamily(gate[0], gate[1], gate[2], false), apex};
 }
 
 }  // namespace
@@ -101,7 +105,7 @@ TEST_CASE("shapes are told by ratios, and a facet without an area has one, too")
 }
 
 TEST_CASE("an apex is told by its height and by how far it is") {
-    const auto at = [](double height) { return ApexSigns(kFacet, {50, 29, height}); };
+    const auto at = [](double height) { return signs_of(kFacet, {50, 29, height}); };
     std::uint32_t last = 0;
     for (const double height : {0.0, 20.0, 40.0, 60.0, 90.0, 120.0}) {
         CHECK(at(height).height() >= last);
@@ -112,5 +116,5 @@ TEST_CASE("an apex is told by its height and by how far it is") {
     CHECK(at(80).reach(100) == 0);
     CHECK(at(80).reach(50) == 1);
     CHECK(at(80).reach(20) == 3);
-    CHECK(ApexSigns({}, {}).height() == 4);
+    CHECK(signs_of({}, {}).height() == 4);
 }
