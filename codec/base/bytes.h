@@ -26,10 +26,6 @@ inline std::int64_t unzigzag(std::uint64_t v) {
 class ByteWriter {
   public:
     void u8(std::uint8_t v) { bytes_.push_back(std::byte{v}); }
-    void u16(std::uint16_t v) {
-        u8(static_cast<std::uint8_t>(v & 255));
-        u8(static_cast<std::uint8_t>(v >> 8));
-    }
     void u32(std::uint32_t v) {
         for (int i = 0; i < 4; ++i) u8(static_cast<std::uint8_t>(v >> (8 * i)));
     }
@@ -78,10 +74,6 @@ class ByteReader {
     std::uint8_t u8() {
         if (position_ >= bytes_.size()) return fail();
         return static_cast<std::uint8_t>(bytes_[position_++]);
-    }
-    std::uint16_t u16() {
-        const unsigned low = u8();
-        return static_cast<std::uint16_t>(low | unsigned{u8()} << 8);
     }
     std::uint32_t u32() {
         std::uint32_t v = 0;

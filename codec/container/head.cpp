@@ -179,7 +179,7 @@ Result<Head> read_head(ByteReader& in) {
     Head head;
     const unsigned flags = in.u8();
     if ((flags & 4) != 0 && (flags & 0x70) != 0)
-        return bad("the head has flags this version does not know");
+        return bad("the flags of the head contradict each other");
     head.kind = flags & 1 ? CellKind::tet : CellKind::polygon;
     head.position_scalar = flags & 2 ? Scalar::f64 : Scalar::f32;
     head.lossless = (flags & 4) != 0;

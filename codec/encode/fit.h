@@ -17,7 +17,7 @@ namespace ravel {
 Weights fit_weights(const std::vector<Stencil>& stencils, const std::vector<Point3>& values,
                     const std::vector<bool>& skip, bool mirrored, const RoundFaces* along);
 
-// In which steps the weights of a set are stored: powers of two of which all are multiples.
+// The largest grain such that all weights of a set are multiples of 2^grain; 0 if all are 0.
 int grain_of(const std::array<std::int16_t, kFeatures>& weights);
 
 }  // namespace ravel

@@ -231,7 +231,8 @@ void coarsen_origin(Grid& grid, int bits, double longest) {
     const auto bytes = [](double steps) {
         return std::abs(steps) < 64 ? 1 : std::abs(steps) < 8192 ? 2 : 3;
     };
-    if (!(longest / step >= 16 * unit)) return;
+    if (!(longest / step >= 16 * unit) || !(longest / step + unit < static_cast<double>(kMostGrid)))
+        return;
     int fine = 0, coarse = 0;
     Grid coarsened = grid;
     for (double& x : coarsened.origin) {

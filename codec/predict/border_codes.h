@@ -24,7 +24,7 @@ class BorderCodes {
     // Once per vertex, in order.
     void insert(const Point3& value) { faces_.insert(value); }
 
-    // Looks at the border across edge e of the gate; with e ascending, from 0, once per vertex.
+    // Looks at the border across edge e of the gate, in passes over e from 0 up; 0 begins one.
     // False: nothing can be asked about it.
     bool meet(const Stencil& tet, std::size_t e, const std::vector<Point3>& values) {
         if (e == 0) asked_ = 0;

@@ -75,7 +75,8 @@ inline OffPlane off_plane(const Stencil& border, const std::vector<Point3>& valu
     const Point3 normal = cross(edge, minus(values[border.at[2]], foot));
     return {dot(minus(value, foot), normal), dot(normal, normal), dot(edge, edge)};
 }
-// Does it lie near the plane, beside the length of the edge? What a writer goes by.
+// Does it lie near the plane, beside the length of the edge? A writer's guess before it knows what
+// either way takes.
 inline bool lies_along(const Stencil& border, const std::vector<Point3>& values,
                        const Point3& value) {
     const OffPlane off = off_plane(border, values, value);

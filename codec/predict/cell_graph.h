@@ -1,8 +1,8 @@
 // Cells linked by their facets, for floods; and cells as elements with values.
 #pragma once
 
+#include "mesh/flatness.h"
 #include "predict/around.h"
-#include "predict/flatness.h"
 #include "predict/flood_codes.h"
 #include "predict/ground.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/flatness.h"
 #include "predict/around.h"
 #include "predict/counting_sort.h"
-#include "predict/flatness.h"
 #include "predict/flood_codes.h"
 #include "predict/ground.h"
 

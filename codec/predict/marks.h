@@ -8,8 +8,8 @@
 #include <bit>
 #include <vector>
 
+#include "mesh/flatness.h"
 #include "predict/attribute_contexts.h"
-#include "predict/flatness.h"
 #include "predict/ground.h"
 
 namespace ravel {

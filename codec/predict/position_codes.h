@@ -335,7 +335,7 @@ class PositionCodes {
         if (bits < least) border = kNoBorder;
         return std::min(bits, least);
     }
-    // Those that its coordinates take, or more than `enough`.
+    // The bits that its coordinates take, or at least `enough`.
     double price(PositionGuess guess, const Position& truth, double enough) {
         Pricing<Coder> pricing{coder_};
         const Point3 value = units_of(format_.numbers, truth);

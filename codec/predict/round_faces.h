@@ -42,7 +42,7 @@ class RoundFaces {
         const std::uint32_t on = on_[border.at[0]] & on_[border.at[1]] & on_[border.at[2]];
         return on == 0 ? kNone : static_cast<Id>(std::countr_zero(on));
     }
-    // Does a new vertex lie along a `border` stencil's triangle? What a writer goes by.
+    // Does a new vertex lie along a `border` stencil's triangle? See ravel::lies_along.
     bool lies_along(const Stencil& border, Id face, const std::vector<Point3>& values,
                     const Point3& value) const {
         return face != kNone ? holds(face, value) : ravel::lies_along(border, values, value);
@@ -55,7 +55,7 @@ class RoundFaces {
     std::vector<std::uint32_t> on_;  // per vertex, a bit per face
 };
 
-// Of a new vertex: along the first border along which it lies, or as it is.
+// What a new vertex is likely to be guessed by: the first border along which it lies, or none.
 inline Stencil stencil_along(const Stencil& met, const std::vector<Point3>& values,
                              const Point3& value, const RoundFaces& faces) {
     for (std::size_t e = 0; e < 3; ++e) {

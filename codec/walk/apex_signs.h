@@ -1,5 +1,5 @@
 // How a gate and a vertex would make a tet: what tells whether they do, beside the sphere through
-// them. Found by trying out what makes that flag shorter on some eighty meshes.
+// them. Bounds are where they make that flag shortest (spec/rationale.md).
 #pragma once
 
 #include <algorithm>

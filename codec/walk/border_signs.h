@@ -1,12 +1,13 @@
 // What tells whether a new facet of a tet is a border: how it lies beside its neighbours on the
-// front, and how its own tet is shaped. Found by trying out what makes the flag shorter on some
-// eighty meshes.
+// front, and how its own tet is shaped. Bounds are where they make that flag shortest
+// (spec/rationale.md).
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "mesh/flatness.h"
 #include "mesh/point3.h"
 
 namespace ravel {
@@ -38,11 +39,10 @@ struct BorderSigns {
         beside += border;
         if (!border && !(height > 0)) return;
         const Point3 normal = normal_of(points());
-        const double d = dot(normal_, normal);
         if (border)
-            flat = std::max(flat, flatness(d, square_ * dot(normal, normal)));
+            flat = std::max(flat, flatness(normal_, normal));
         else
-            valley = std::max(valley, d > 0 ? 1u : 2u);
+            valley = std::max(valley, dot(normal_, normal) > 0 ? 1u : 2u);
     }
 
     // How many of its vertices and edges are on borders and, where there are such edges, how flat:
@@ -61,16 +61,6 @@ struct BorderSigns {
   private:
     static Point3 normal_of(const std::array<Point3, 3>& p) {
         return cross(minus(p[1], p[0]), minus(p[2], p[0]));
-    }
-    // Of the cosine d / sqrt(square): 1 for a fold back, 6 for flat.
-    static std::uint32_t flatness(double d, double square) {
-        if (!(d > 0)) return 1;
-        const double r = d * d;
-        return r > 0.9999 * square ? 6
-               : r > 0.99 * square ? 5
-               : r > 0.9 * square  ? 4
-               : r > 0.5 * square  ? 3
-                                   : 2;
     }
 
     std::array<Point3, 3> facet_;

@@ -42,7 +42,7 @@ class SphereFamily {
         const Point3 q = minus(p, a_);
         return {dot(normal_, q), dot(q, q) - 2 * dot(q, centre_)};
     }
-    // That height alone, in lengths of the normal.
+    // lift_of(p).above alone: the distance times the normal's length.
     double above_of(const Point3& p) const { return dot(normal_, minus(p, a_)); }
     double normal_square() const { return square_; }
     // Height of the centre along the (unnormalised) normal; only of what is above.

@@ -26,7 +26,6 @@ class Fields {
         tell(name, std::to_string(v));
         return v;
     }
-    void u16(const char* name) { tell(name, std::to_string(in_.u16())); }
     std::uint64_t varint(const char* name) {
         const std::uint64_t v = in_.varint();
         tell(name, std::to_string(v));
