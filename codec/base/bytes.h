@@ -2,6 +2,7 @@
 // least significant first, the high bit set on all but the last byte, in the shortest form only.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -21,6 +22,10 @@ inline std::uint64_t zigzag(std::int64_t v) {
 }
 inline std::int64_t unzigzag(std::uint64_t v) {
     return static_cast<std::int64_t>(v >> 1) ^ -static_cast<std::int64_t>(v & 1);
+}
+
+inline std::size_t varint_size(std::uint64_t v) {
+    return v < 128 ? 1 : (static_cast<std::size_t>(std::bit_width(v)) + 6) / 7;
 }
 
 class ByteWriter {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/bytes.h"
 #include "encode/linear_system.h"
 #include "predict/border_plane.h"
 
@@ -95,12 +96,9 @@ Solution solution_of(const StoredWeights& weights) {
 // What it takes to tell them, in bits.
 double bits_of(const StoredWeights& weights, std::size_t n) {
     const int grain = grain_of(weights);
-    double bytes = 1;
-    for (std::size_t i = 0; i < n; ++i)
-        bytes += std::abs(weights[i] >> grain) < 64     ? 1
-                 : std::abs(weights[i] >> grain) < 8192 ? 2
-                                                        : 3;
-    return 8 * bytes;
+    std::size_t bytes = 1;
+    for (std::size_t i = 0; i < n; ++i) bytes += varint_size(zigzag(weights[i] >> grain));
+    return 8 * static_cast<double>(bytes);
 }
 
 // The default weights of a set, none, or fitted ones, whichever cost least with what storing them

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/bytes.h"
 #include "container/head.h"
 #include "encode/numbers.h"
 
@@ -229,11 +230,11 @@ void shorten_origin(Grid& grid, double asked) {
 void coarsen_origin(Grid& grid, int bits, double longest) {
     const double step = grid.step, unit = origin_unit(bits);
     const auto bytes = [](double steps) {
-        return std::abs(steps) < 64 ? 1 : std::abs(steps) < 8192 ? 2 : 3;
+        return varint_size(zigzag(static_cast<std::int64_t>(steps)));
     };
     if (!(longest / step >= 16 * unit) || !(longest / step + unit < static_cast<double>(kMostGrid)))
         return;
-    int fine = 0, coarse = 0;
+    std::size_t fine = 0, coarse = 0;
     Grid coarsened = grid;
     for (double& x : coarsened.origin) {
         if (!is_whole_steps(x, step)) return;

@@ -39,7 +39,7 @@ class PositionCodes {
           keeps_exact_(format.keeps_exact()),
           earlier_(coder, format_),
           predictor_(format.weights, format.mirrored, format.leaders_move),
-          sizes_(static_cast<std::uint64_t>(format.usual_start)),
+          sizes_(format.usual_start),
           levels_(coder, format.has_levels ? format.level_bits : 0, format.has_pairs, vertices),
           rest_(coder, format.numbers,
                 !format.has_escapes ? 0
@@ -238,7 +238,6 @@ class PositionCodes {
     // Bits, to the writer: a leader that is hardly better makes others less sure.
     static constexpr double kFollowPrice = 1;
 
-    static constexpr double kMuch = 1e300;
     static constexpr std::size_t kNoBorder = 3;
 
     Id next_vertex() const { return static_cast<Id>(values_.size()); }
@@ -319,7 +318,7 @@ class PositionCodes {
     // more: the least of that without a border, and with each of those beside it. `border`: which
     // that is.
     double least_price(const PositionGuess& guess, const Position& truth, std::size_t& border,
-                       double enough = kMuch) {
+                       double enough = 1e300) {
         border = kNoBorder;
         double least = enough, no = 0;
         for (std::size_t e = 0; border_ && e < 3; ++e) {

@@ -23,11 +23,11 @@ inline constexpr unsigned kHasRounds = 2 * kNoTriangleDefaults;  // and that the
 
 struct PositionFormat {
     NumberFormat numbers;
-    bool narrow = true;         // float32
-    bool has_escapes = false;   // some coordinates are told bit for bit
-    bool mirrored = false;      // tets, most of which are inside out
-    bool leaders_move = false;  // see carried()
-    double usual_start = 16;    // what a residual is expected to be before any is known
+    bool narrow = true;              // float32
+    bool has_escapes = false;        // some coordinates are told bit for bit
+    bool mirrored = false;           // tets, most of which are inside out
+    bool leaders_move = false;       // see carried()
+    std::uint64_t usual_start = 16;  // what a residual is expected to be before any is known
     Weights weights = kDefaultWeights;
     bool has_levels = false;   // coordinates that several neighbours share are asked for
     int level_bits = 0;        // and those known from elsewhere, in intervals of 2^level_bits; or 0
@@ -52,9 +52,9 @@ struct PositionFormat {
 
 // Of tets: an eighth of a mean edge, in units. The walk looks for vertices in cubes of half of one;
 // a file may hold any scale.
-inline double usual_start_of(const PositionFormat& format, double grid_side) {
+inline std::uint64_t usual_start_of(const PositionFormat& format, double grid_side) {
     const double start = grid_side / format.place_scale / 4;
-    return start > 1 ? std::floor(std::min(start, 0x1p40)) : 1;
+    return start > 1 ? static_cast<std::uint64_t>(std::min(start, 0x1p40)) : 1;
 }
 
 // What is to be coded of a vertex.

@@ -25,7 +25,8 @@ std::optional<std::vector<FilePart>> take_apart(std::span<const std::byte> file)
 // What a file says of which sections it has.
 SectionMask mask_of(const std::vector<FilePart>& parts);
 
-// Meant for parts in the order of their ids, each once; others make files that are not. Stored unpacked where `level` is 0.
+// Meant for parts in the order of their ids, each once; others make files that are invalid. Stored
+// unpacked where `level` is 0.
 Bytes put_together(const std::vector<FilePart>& parts, int level = 0);
 
 // A file whose block head was changed.
