@@ -123,20 +123,22 @@ double try_out(const CodedPositions& all, const PositionFormat& format,
 }
 
 // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes the
-// bytes fewer, of large meshes by a hundredth at least.
+// bytes fewer, of large meshes by a hundredth at least. What takes much of the time to decode goes
+// again where it is worth less than its price.
 constexpr std::size_t kSmall = 6000;    // vertices below which every byte counts
 constexpr std::size_t kLarge = 200000;  // and from which fewer things are tried
 constexpr double kWorth = 0.01;
 constexpr double kSlow = 0.02;      // of what costs more time
 constexpr double kHopeless = 1.02;  // where levels make more, pairs are no help either
 constexpr double kSurely = 0.9;     // where echoes make less, levels are no help without them
+constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.02;  // of surfaces; half where all is small
 
 // What is to be tried out beside what was kept so far, if anything.
 using Candidate = std::optional<PositionFormat>;
 struct Proposal {
     std::function<Candidate(const PositionFormat& kept)> format;
-    bool usual = false;  // is it taken more often than not? For how it is tried, not for whether
-    double worth = kWorth;
+    bool usual = false;     // is it taken more often than not? For how it is tried, not for whether
+    double worth = kWorth;  // below 0: what may be lost
     double* ratio = nullptr;  // if not null, where it is told how many times as many bytes it makes
 };
 
@@ -170,7 +172,9 @@ class Trials {
             }
             const double ratio = *bytes_of(*candidate) / *bytes_of(kept_);
             if (proposals[i].ratio != nullptr) *proposals[i].ratio = ratio;
-            if (ratio < (all_.vertices() < kSmall ? 1 : 1 - proposals[i].worth)) kept_ = *candidate;
+            const double worth = proposals[i].worth;
+            const bool small = all_.vertices() < kSmall;
+            if (ratio < 1 - (small ? std::min(worth, 0.0) / 2 : worth)) kept_ = *candidate;
         }
         return kept_;
     }
@@ -300,13 +304,16 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
         });
     pairs.worth = kSlow;
     // What was taken first may be no help beside it.
+    const bool surface = all.complex.kind == CellKind::polygon;
+    const auto drop_echoes = [](PositionFormat& f) { f.echoes.clear(); };
     offer(
         kRefused,
         [&](const PositionFormat& f) {
             return f.level_bits > 0 && !f.echoes.empty() &&
                    (vertices < kSmall || echo_ratio > kSurely);
         },
-        [](PositionFormat& f) { f.echoes.clear(); });
+        drop_echoes)
+        .worth = surface ? -kEchoesPrice : kWorth;
     // And what was not taken may be better in its place.
     const auto has_echoes_alone = [&](const PositionFormat& f) {
         return f.level_bits == 0 && !f.echoes.empty() && vertices < kLarge;
@@ -346,7 +353,21 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
         offer(
             kRefused, [&](const PositionFormat& f) { return f.has_follows && has_echoes_alone(f); },
             take_levels_instead);
+        if (surface)
+            offer(
+                kRefused,
+                [](const PositionFormat& f) { return f.has_follows && !f.echoes.empty(); },
+                drop_echoes)
+                .worth = -kEchoesPrice;
     }
+    if (surface)
+        offer(
+            kRefused, [](const PositionFormat& f) { return f.has_levels || f.level_bits > 0; },
+            [](PositionFormat& f) {
+                f.has_levels = f.has_pairs = false;
+                f.level_bits = 0;
+            })
+            .worth = -kLevelsPrice;
     // Where parts repeat, a guess from fewer points is carried over with fewer roundings.
     if (has_triangles(record))
         offer(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -32,6 +33,12 @@ inline Point3 cross(const Point3& a, const Point3& b) {
 inline std::int64_t whole_below(double x) {
     const auto cut = static_cast<std::int64_t>(x);
     return cut - (static_cast<double>(cut) > x);
+}
+
+// How many bits the whole part of x has, 0 <= x < 2^62.
+inline std::uint32_t width_of(double x) {
+    return static_cast<std::uint32_t>(
+        std::bit_width(static_cast<std::uint64_t>(static_cast<std::int64_t>(x))));
 }
 
 }  // namespace ravel

@@ -114,9 +114,8 @@ class Courses {
 };
 
 // Digits of what is missed by on one axis.
-inline int digits_of(double missed) {
-    return static_cast<int>(
-        std::bit_width(static_cast<std::uint64_t>(std::min(0x1p60, std::abs(missed) + 0.5))));
+inline std::uint32_t digits_of(double missed) {
+    return width_of(std::min(0x1p60, std::abs(missed) + 0.5));
 }
 
 // guess + `missed`, turned and stretched from the frame of the stencil `from` to that of `to`.

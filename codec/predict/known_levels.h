@@ -41,16 +41,19 @@ class KnownLevels {
     void insert(std::size_t axis, double x, Id vertex) {
         const std::size_t slot_of_x = slot(axis, intervals_.of(x));
         List& list = lists_[slot_of_x];
-        std::size_t place = kPlaces;
-        for (std::size_t i = kPlaces; i-- > 0;) place = list.level[i] == x ? i : place;
-        if (place == kPlaces) {
-            place = 0;
-            for (std::size_t i = 1; i < kPlaces; ++i)
-                place = list.last[i] < list.last[place] ? i : place;
-            list.level[place] = x;
-            list.vertex[place] = vertex;
-            list.count[place] = 0;
+        // Whether it is in the list, and which place is the oldest, is anyone's guess, so nothing
+        // branches on either.
+        unsigned same = 0, oldest = 0;
+        std::uint32_t least = list.last[0];
+        for (std::size_t i = 1; i < kPlaces; ++i) least = std::min(least, list.last[i]);
+        for (std::size_t i = 0; i < kPlaces; ++i) {
+            same |= (list.level[i] == x ? 1u : 0u) << i;
+            oldest |= (list.last[i] == least ? 1u : 0u) << i;
         }
+        const auto place = static_cast<std::size_t>(std::countr_zero(same != 0 ? same : oldest));
+        list.vertex[place] = same != 0 ? list.vertex[place] : vertex;
+        list.count[place] = same != 0 ? list.count[place] : 0;
+        list.level[place] = x;
         count(slot_of_x, place);
     }
     // One more vertex has a level.

@@ -91,28 +91,27 @@ class SeedLeads {
     SeedLeads() { misses_.fill(kUnknown); }
     // The leader of vertex v, or kNone.
     Id leader(const Courses& courses, const Stencil& stencil, Id v) {
-        candidates_.fill(kNoSeed);
         const Id on = courses.going_on(stencil, v);
-        if (on != kNone) candidates_[0] = place_of(on);
+        candidates_[0] = on != kNone ? place_of(on) : kNoSeed;
         const std::size_t oldest = seeds_.size() - std::min(seeds_.size(), kLooked);
-        std::size_t count = 1;
         const Id first = first_to_shift_to(stencil, v);
-        for (std::size_t i = seeds_.size(); i > oldest && count < candidates_.size(); --i)
+        count_ = 1;
+        for (std::size_t i = seeds_.size(); i > oldest && count_ < candidates_.size(); --i)
             if (seeds_[i - 1].course == courses.course() && seeds_[i - 1].vertex >= first)
-                candidates_[count++] = i - 1;
+                candidates_[count_++] = i - 1;
         std::size_t best = kNoSeed;
-        for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t k = 0; k < count_; ++k)
             if (candidates_[k] != kNoSeed && (best == kNoSeed || misses_[k] < misses_[best]))
                 best = k;
         return best == kNoSeed ? kNone : seeds_[candidates_[best]].vertex;
     }
     // By how much the guess of v, the vertex that was asked about last, was off.
     void missed(const Courses& courses, Id v, const Point3& by) {
-        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+        for (std::size_t k = 0; k < count_; ++k) {
             if (candidates_[k] == kNoSeed) continue;
             const Point3 off = minus(by, seeds_[candidates_[k]].missed);
             std::uint64_t bits = 0;
-            for (const double x : off) bits += static_cast<std::uint64_t>(digits_of(x));
+            for (const double x : off) bits += digits_of(x);
             misses_[k] = misses_[k] / 2 + (bits << 16);
         }
         seeds_.push_back({courses.course(), v, by});
@@ -135,8 +134,9 @@ class SeedLeads {
     }
 
     std::vector<Seed> seeds_;
-    std::array<std::size_t, kCandidates + 1> candidates_;  // the first: what led so far
-    std::array<std::uint64_t, kCandidates + 1> misses_;    // the last weighs half
+    std::array<std::size_t, kCandidates + 1> candidates_;  // the first: what led so far, if any
+    std::size_t count_ = 0;
+    std::array<std::uint64_t, kCandidates + 1> misses_;  // the last weighs half
 };
 
 }  // namespace ravel

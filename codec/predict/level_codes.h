@@ -144,9 +144,6 @@ class LevelCodes {
         for (std::size_t i = 0; i < count_; ++i) votes += values[id_[i]][axis] == level;
         return votes;
     }
-    static std::uint32_t width_of(double distance) {
-        return static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(distance)));
-    }
 
     Coder& coder_;
     std::optional<KnownLevels> known_;

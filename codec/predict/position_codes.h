@@ -95,7 +95,7 @@ class PositionCodes {
                 told = echoes_->is_told(found, better);
             }
             echoes_->looked(told);
-            stays = echoes_->stays(found);
+            if (told) stays = echoes_->stays(found);
         }
         if (border_ && !told && stencil.borders != 0) {
             if constexpr (Coder::kWrites)

@@ -35,6 +35,13 @@ class ApexList {
     bool empty() const { return size_ == 0; }
     const ApexCandidate& operator[](std::size_t i) const { return list_[i].candidate; }
 
+    // Those of the first kMost, kNone where there are no more.
+    std::array<Id, kMost> vertices() const {
+        std::array<Id, kMost> all;
+        for (std::size_t i = 0; i < kMost; ++i)
+            all[i] = i < size_ ? list_[i].candidate.vertex : kNone;
+        return all;
+    }
     // Is it one of the first `among`?
     bool holds(Id vertex, std::size_t among) const {
         bool is = false;

@@ -73,7 +73,7 @@ class ApexSearch {
     }
 
   private:
-    static constexpr std::size_t kMostLooked = 1500;  // vertices of a search
+    static constexpr std::size_t kMostLooked = 256;  // vertices of a search
 
     std::vector<Near> near_ = std::vector<Near>(kMostLooked);
 };

@@ -275,6 +275,7 @@ class TetWalk {
     // then among those that only a larger one holds, or by its age.
     Id code_far(const TetFront::Triangle& gate, const SphereFamily& family, Id truth) {
         constexpr std::uint64_t kMostRanks = 64;
+        const std::array<Id, ApexList::kMost> listed = list_.vertices();
         double above = -1e300;
         for (const double multiple : {4.0, 10.0}) {
             if (family.flat()) break;
@@ -283,14 +284,17 @@ class TetWalk {
             far = far.first(static_cast<std::size_t>(
                 std::remove_if(far.begin(), far.end(),
                                [&](const ApexSearch::Near& near) {
-                                   return !(near.height > above) ||
-                                          list_.holds(near.vertex, list_.size());
+                                   bool is_listed = false;
+                                   for (const Id v : listed) is_listed |= v == near.vertex;
+                                   return is_listed || !(near.height > above);
                                }) -
                 far.begin()));
             above = height;
-            const auto known =
-                std::find_if(far.begin(), far.end(),
-                             [&](const ApexSearch::Near& near) { return near.vertex == truth; });
+            auto known = far.end();
+            if (truth != kNone)
+                known = std::find_if(far.begin(), far.end(), [&](const ApexSearch::Near& near) {
+                    return near.vertex == truth;
+                });
             std::uint64_t rank = kMostRanks;
             if (known != far.end())
                 rank = static_cast<std::uint64_t>(

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, require
 
-VERSION = 17
+VERSION = 18
 
 # in the order in which they come, those that need not be there also in that of the bits of `sections`
 ALWAYS = HEAD, BLOCK, CONNECTIVITY, POSITIONS = "head", "block", "connectivity", "positions"

@@ -3,7 +3,7 @@
 import math
 
 MOST_BLOCKS = 512
-MOST_LOOKED_AT = 1500
+MOST_LOOKED_AT = 256
 
 
 class Grid:
