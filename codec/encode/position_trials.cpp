@@ -131,7 +131,7 @@ constexpr double kWorth = 0.01;
 constexpr double kSlow = 0.02;      // of what costs more time
 constexpr double kHopeless = 1.02;  // where levels make more, pairs are no help either
 constexpr double kSurely = 0.9;     // where echoes make less, levels are no help without them
-constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.02;  // of surfaces; half where all is small
+constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.01;  // of surfaces; half where all is small
 
 // What is to be tried out beside what was kept so far, if anything.
 using Candidate = std::optional<PositionFormat>;

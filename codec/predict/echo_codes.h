@@ -26,12 +26,12 @@ class EchoCodes {
 
     // What the nearest vertex that any echo leads to says of the new one, if there is any. The echo
     // that served last is enough while it leads close by; after a while without any the others are
-    // looked at in turn, one a vertex, and then one in four vertices.
+    // looked at in turn, one a vertex, then one in two vertices, and at last one in eight.
     Earlier find(const Point3& guess, const std::vector<Point3>& values,
                  const std::vector<Point3>& exact) const {
         Earlier found;
-        const bool weary = without_ >= kWeary;
-        if (weary && values.size() % kRest != 0) return found;
+        const std::uint64_t rest = without_ < kWeary ? 1 : without_ < kWearier ? 2 : 8;
+        if (values.size() % rest != 0) return found;
         const auto look = [&](std::size_t e) {
             const auto near = index_.nearest(format_.echoes[e].back(guess), values);
             if (near.vertex == kNone || (found.vertex != kNone && near.distance >= found.distance))
@@ -44,7 +44,7 @@ class EchoCodes {
         const bool close = found.vertex != kNone &&
                            found.distance < index_.side() / ((history_ & 1) != 0 ? 4 : 16);
         const std::size_t count = format_.echoes.size();
-        const std::size_t turn = (weary ? values.size() / kRest : values.size()) % count;
+        const std::size_t turn = values.size() / rest % count;
         for (std::size_t e = 0; e < count && !close; ++e)
             if (e != last_ && (without_ < kPatience || e == turn)) look(e);
         if (found.vertex != kNone) carry_over(found, values[found.vertex], exact);
@@ -69,8 +69,8 @@ class EchoCodes {
     bool stays(const Earlier& found) const { return format_.echoes[found.echo] == Echo{}; }
 
   private:
-    // Vertices without an echo until the echoes are looked at in turn, and every fourth time only.
-    static constexpr std::uint64_t kPatience = 4, kWeary = 64, kRest = 4;
+    // Vertices without an echo until the echoes are looked at in turn, and less and less often.
+    static constexpr std::uint64_t kPatience = 8, kWeary = 64, kWearier = 256;
 
     Context context_of(const Earlier& found) const {
         return ResidualContexts::echo.at(width_of(found.distance), history_);

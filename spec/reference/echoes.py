@@ -86,10 +86,10 @@ class Echoes:
 
     def look_for(self, v, guess):
         """1, 2: (vertex, d, e), or None if there is no echo for vertex v."""
-        seldom = self.without >= 64
-        if seldom and v % 4:
+        rest = 1 if self.without < 64 else 2 if self.without < 256 else 8
+        if v % rest:
             return None
-        t = v // 4 if seldom else v
+        t = v // rest
         best = None
 
         def look(e):
@@ -106,7 +106,7 @@ class Echoes:
         look(self.last)
         if not (best and best[1] < self.side / (4 if self.history % 2 else 16)):
             for e in range(len(self.echoes)):
-                if e != self.last and (self.without < 4 or e == t % len(self.echoes)):
+                if e != self.last and (self.without < 8 or e == t % len(self.echoes)):
                     look(e)
         return best
 
