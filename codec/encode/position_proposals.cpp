@@ -1,0 +1,199 @@
+#include "encode/position_proposals.h"
+
+#include <utility>
+
+namespace ravel {
+namespace {
+
+// What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes the
+// bytes fewer, of large meshes by a hundredth at least. What takes much of the time to decode goes
+// again where it is worth less than its price.
+constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
+constexpr double kSlow = 0.02;          // of what costs more time
+constexpr double kHopeless = 1.02;      // where levels make more, parts of them are no help either
+constexpr double kSurely = 0.9;         // where echoes make less, levels are no help without them
+constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.01;  // of surfaces
+constexpr bool kTaken = true, kRefused = false;             // as usual
+
+bool always(const PositionFormat&) {
+    return true;
+}
+void take_levels(PositionFormat& f) {
+    f.has_levels = true;
+}
+// Pairs may be known where single levels tell nothing.
+void take_pairs(PositionFormat& f) {
+    if (f.level_bits == 0) f.level_bits = f.cube_bits;
+    f.has_levels = f.has_pairs = true;
+}
+void drop_pairs(PositionFormat& f) {
+    f.has_pairs = false;
+}
+void drop_levels(PositionFormat& f) {
+    f.has_levels = f.has_pairs = false;
+    f.level_bits = 0;
+}
+void drop_echoes(PositionFormat& f) {
+    f.echoes.clear();
+}
+void take_levels_instead(PositionFormat& f) {
+    drop_echoes(f);
+    take_pairs(f);
+}
+void set_price(Proposal& proposal, double price) {
+    proposal.worth = price;
+    proposal.has_price = true;
+}
+
+}  // namespace
+
+Proposals::Proposals(Prospects prospects) : prospects_(std::move(prospects)) {
+    offer_echoes();
+    if (prospects_.surface)
+        offer_levels_of_surface();
+    else
+        offer_levels();
+    offer_less_echoes();
+    offer_borders();
+    if (prospects_.may_follow) offer_follows();
+    // Where parts repeat, a guess from fewer points is carried over with fewer roundings.
+    if (prospects_.has_triangles)
+        offer(
+            kRefused, [](const PositionFormat& f) { return f.has_follows || !f.echoes.empty(); },
+            [](PositionFormat& f) { f.weights = without_triangles(f.weights); })
+            .worth = 0;
+}
+
+// `when`: is there anything to try? `change`: what is other than in the format kept so far.
+template <class When, class Change>
+Proposal& Proposals::offer(bool usual, const When& when, const Change& change) {
+    Proposal& proposal = list_.emplace_back();
+    proposal.format = [when, change](const PositionFormat& kept) -> Candidate {
+        if (!when(kept)) return std::nullopt;
+        PositionFormat format = kept;
+        change(format);
+        return format;
+    };
+    proposal.usual = usual;
+    return proposal;
+}
+
+void Proposals::offer_echoes() {
+    const Echoes& echoes = prospects_.echoes;
+    if (!echoes.likely.empty())
+        offer(kTaken, always, [&](PositionFormat& f) { f.echoes = echoes.likely; }).ratio =
+            &echo_ratio_;
+    if (!echoes.more.empty() && prospects_.vertices < kLarge)
+        offer(kRefused, always, [&](PositionFormat& f) {
+            for (const Echo& echo : echoes.more)
+                if (f.echoes.size() < kMostEchoes) f.echoes.push_back(echo);
+        });
+    if (is_small())
+        offer(
+            kRefused, [](const PositionFormat& f) { return !f.echoes.empty(); },
+            [](PositionFormat& f) { ++f.cube_bits; });
+}
+
+void Proposals::offer_levels() {
+    if (prospects_.may_share) offer(kTaken, always, take_levels);
+    offer(kTaken, always, [](PositionFormat& f) {
+        f.has_levels = true;
+        f.level_bits = f.cube_bits;
+    }).ratio = &level_ratio_;
+    if (prospects_.vertices < kLarge / 4)
+        offer(
+            kRefused, [](const PositionFormat& f) { return f.level_bits > 0; },
+            [](PositionFormat& f) { ++f.level_bits; });
+    offer(
+        kTaken,
+        [&](const PositionFormat& f) {
+            return level_ratio_ < kHopeless && (f.level_bits > 0 || prospects_.vertices < kLarge);
+        },
+        take_pairs)
+        .worth = kSlow;
+}
+
+double Proposals::levels_price() const {
+    return is_small() ? kLevelsPrice / 2 : kLevelsPrice;
+}
+
+// All at once: where that tells too little for its time, a part of it mostly does, too.
+void Proposals::offer_levels_of_surface() {
+    Proposal& pairs = offer(kTaken, always, take_pairs);
+    pairs.ratio = &level_ratio_;
+    set_price(pairs, levels_price());
+    if (prospects_.vertices < kLarge / 4)
+        offer(
+            kRefused, [](const PositionFormat& f) { return f.level_bits > 0; },
+            [](PositionFormat& f) { ++f.level_bits; });
+    set_price(offer(
+                  kRefused, [](const PositionFormat& f) { return f.has_pairs; }, drop_pairs),
+              -levels_price() / 2);
+    if (prospects_.may_share)
+        set_price(
+            offer(
+                kRefused,
+                [&](const PositionFormat& f) { return !f.has_levels && level_ratio_ < kHopeless; },
+                take_levels),
+            levels_price() / 2);
+}
+
+bool Proposals::has_echoes_alone(const PositionFormat& format) const {
+    return format.level_bits == 0 && !format.echoes.empty() && prospects_.vertices < kLarge &&
+           (is_small() || echo_ratio_ > kSurely);
+}
+
+// What was taken first may be no help beside levels, and what was not taken may be better in its
+// place.
+void Proposals::offer_less_echoes() {
+    Proposal& without = offer(
+        kRefused,
+        [&](const PositionFormat& f) {
+            return f.level_bits > 0 && !f.echoes.empty() && (is_small() || echo_ratio_ > kSurely);
+        },
+        drop_echoes);
+    if (prospects_.surface) without.worth = -kEchoesPrice;
+    offer(
+        kRefused, [&](const PositionFormat& f) { return has_echoes_alone(f); },
+        take_levels_instead);
+}
+
+void Proposals::offer_borders() {
+    if (prospects_.along_weights)
+        offer(kTaken, always, [&](PositionFormat& f) {
+            f.has_along = true;
+            f.weights = *prospects_.along_weights;
+        });
+    if (prospects_.rounds.empty()) return;
+    offer(kTaken, always, [&](PositionFormat& f) {
+        f.has_along = true;
+        f.rounds = prospects_.rounds;
+    });
+    offer(
+        kTaken, [](const PositionFormat& f) { return !f.rounds.empty(); },
+        [&](PositionFormat& f) { f.weights = prospects_.round_weights; });
+    offer(
+        kRefused, [](const PositionFormat& f) { return !f.rounds.empty() && !f.echoes.empty(); },
+        drop_echoes);
+}
+
+// Who follows asks for neither echoes nor levels, so that costs less time than others, and leaves
+// less for these to tell.
+void Proposals::offer_follows() {
+    Proposal& follows = offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; });
+    follows.worth /= 4;
+    offer(
+        kRefused, [&](const PositionFormat& f) { return f.has_follows && has_echoes_alone(f); },
+        take_levels_instead);
+    if (!prospects_.surface) return;
+    offer(
+        kRefused, [](const PositionFormat& f) { return f.has_follows && !f.echoes.empty(); },
+        drop_echoes)
+        .worth = -kEchoesPrice;
+    set_price(offer(
+                  kRefused, [](const PositionFormat& f) { return f.has_follows && f.has_levels; },
+                  drop_levels),
+              -levels_price());
+}
+
+}  // namespace ravel
