@@ -29,9 +29,13 @@ void take_pairs(PositionFormat& f) {
 void drop_pairs(PositionFormat& f) {
     f.has_pairs = false;
 }
-void drop_levels(PositionFormat& f) {
-    f.has_levels = f.has_pairs = false;
+void drop_known_levels(PositionFormat& f) {
+    drop_pairs(f);
     f.level_bits = 0;
+}
+void drop_levels(PositionFormat& f) {
+    drop_known_levels(f);
+    f.has_levels = false;
 }
 void drop_echoes(PositionFormat& f) {
     f.echoes.clear();
@@ -122,20 +126,19 @@ void Proposals::offer_levels_of_surface() {
     Proposal& pairs = offer(kTaken, always, take_pairs);
     pairs.ratio = &level_ratio_;
     set_price(pairs, levels_price());
-    if (prospects_.vertices < kLarge / 4)
-        offer(
-            kRefused, [](const PositionFormat& f) { return f.level_bits > 0; },
-            [](PositionFormat& f) { ++f.level_bits; });
-    set_price(offer(
-                  kRefused, [](const PositionFormat& f) { return f.has_pairs; }, drop_pairs),
-              -levels_price() / 2);
-    if (prospects_.may_share)
+    const auto knows_levels = [](const PositionFormat& f) { return f.level_bits > 0; };
+    set_price(offer(kRefused, knows_levels, drop_pairs), -levels_price() / 2);
+    if (prospects_.may_share) {
+        set_price(offer(kRefused, knows_levels, drop_known_levels), -levels_price() / 2);
         set_price(
             offer(
                 kRefused,
                 [&](const PositionFormat& f) { return !f.has_levels && level_ratio_ < kHopeless; },
                 take_levels),
             levels_price() / 2);
+    }
+    if (prospects_.vertices < kLarge / 4)
+        offer(kRefused, knows_levels, [](PositionFormat& f) { ++f.level_bits; });
 }
 
 bool Proposals::has_echoes_alone(const PositionFormat& format) const {
