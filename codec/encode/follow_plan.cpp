@@ -14,8 +14,8 @@ namespace {
 std::uint64_t price_of(const Point3& missed) {
     std::uint64_t price = 0;
     for (const double x : missed) {
-        const int digits = digits_of(x);
-        price += digits == 0 ? 1 : 10 * (1 + static_cast<std::uint64_t>(digits));
+        const std::uint32_t digits = digits_of(x);
+        price += digits == 0 ? 1 : 10 * (1 + digits);
     }
     return price;
 }

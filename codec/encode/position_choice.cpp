@@ -133,7 +133,7 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
         for (const Point3& place : places) faces.insert(place);
         prospects.round_weights = weights(&faces);
     }
-    const Proposals proposals(std::move(prospects));
+    Proposals proposals(std::move(prospects));
     PositionFormat format = try_in_turn(all, leads, std::move(first), proposals.list(), threads);
     return {std::move(format), std::move(leads)};
 }

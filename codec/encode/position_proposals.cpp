@@ -6,14 +6,15 @@ namespace ravel {
 namespace {
 
 // What helps one mesh costs another a flag per vertex, and costs time: it stays where it makes the
-// bytes fewer, of large meshes by a hundredth at least. What takes much of the time to decode goes
-// again where it is worth less than its price.
+// bytes fewer, of all but small meshes by a hundredth at least. What takes much of the time to
+// decode stays where it is worth its price.
 constexpr std::size_t kLarge = 200000;  // vertices from which fewer things are tried
 constexpr double kSlow = 0.02;          // of what costs more time
-constexpr double kHopeless = 1.02;      // where levels make more, parts of them are no help either
+constexpr double kHopeless = 1.02;      // where levels make more, other kinds are no help either
 constexpr double kSurely = 0.9;         // where echoes make less, levels are no help without them
-constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.01;  // of surfaces
-constexpr bool kTaken = true, kRefused = false;             // as usual
+// Of surfaces; of small ones half as much, and nothing.
+constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.01;
+constexpr bool kTaken = true, kRefused = false;  // as usual
 
 bool always(const PositionFormat&) {
     return true;
@@ -85,11 +86,12 @@ Proposal& Proposals::offer(bool usual, const When& when, const Change& change) {
 void Proposals::offer_echoes() {
     const Echoes& echoes = prospects_.echoes;
     if (!echoes.likely.empty())
-        offer(kTaken, always, [&](PositionFormat& f) { f.echoes = echoes.likely; }).ratio =
-            &echo_ratio_;
+        offer(kTaken, always, [this](PositionFormat& f) {
+            f.echoes = prospects_.echoes.likely;
+        }).ratio = &echo_ratio_;
     if (!echoes.more.empty() && prospects_.vertices < kLarge)
-        offer(kRefused, always, [&](PositionFormat& f) {
-            for (const Echo& echo : echoes.more)
+        offer(kRefused, always, [this](PositionFormat& f) {
+            for (const Echo& echo : prospects_.echoes.more)
                 if (f.echoes.size() < kMostEchoes) f.echoes.push_back(echo);
         });
     if (is_small())
@@ -141,9 +143,16 @@ void Proposals::offer_levels_of_surface() {
         offer(kRefused, knows_levels, [](PositionFormat& f) { ++f.level_bits; });
 }
 
-bool Proposals::has_echoes_alone(const PositionFormat& format) const {
+// Echoes, and no levels but those that neighbours share.
+bool Proposals::knows_echoes_alone(const PositionFormat& format) const {
     return format.level_bits == 0 && !format.echoes.empty() && prospects_.vertices < kLarge &&
            (is_small() || echo_ratio_ > kSurely);
+}
+
+template <class When>
+void Proposals::offer_levels_instead(const When& when) {
+    Proposal& instead = offer(kRefused, when, take_levels_instead);
+    if (prospects_.surface) set_price(instead, levels_price());
 }
 
 // What was taken first may be no help beside levels, and what was not taken may be better in its
@@ -156,9 +165,7 @@ void Proposals::offer_less_echoes() {
         },
         drop_echoes);
     if (prospects_.surface) without.worth = -kEchoesPrice;
-    offer(
-        kRefused, [&](const PositionFormat& f) { return has_echoes_alone(f); },
-        take_levels_instead);
+    offer_levels_instead([&](const PositionFormat& f) { return knows_echoes_alone(f); });
 }
 
 void Proposals::offer_borders() {
@@ -185,9 +192,8 @@ void Proposals::offer_borders() {
 void Proposals::offer_follows() {
     Proposal& follows = offer(kTaken, always, [](PositionFormat& f) { f.has_follows = true; });
     follows.worth /= 4;
-    offer(
-        kRefused, [&](const PositionFormat& f) { return f.has_follows && has_echoes_alone(f); },
-        take_levels_instead);
+    offer_levels_instead(
+        [&](const PositionFormat& f) { return f.has_follows && knows_echoes_alone(f); });
     if (!prospects_.surface) return;
     offer(
         kRefused, [](const PositionFormat& f) { return f.has_follows && !f.echoes.empty(); },

@@ -1,6 +1,8 @@
 // What may make the positions of a mesh smaller.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "encode/echoes.h"
@@ -16,7 +18,7 @@ struct Prospects {
     bool may_share = false;                // neighbours share coordinates
     std::optional<Weights> along_weights;  // tets: if vertices go on with borders, those for that
     RoundFaceList rounds;                  // tets
-    Weights round_weights;                 // those for them
+    Weights round_weights{};               // those for them
     bool may_follow = false;
     bool has_triangles = false;
 };
@@ -25,7 +27,7 @@ struct Prospects {
 class Proposals {
   public:
     explicit Proposals(Prospects prospects);
-    // The list refers to what tells how trials went.
+    // The list refers to this, and trials tell it how they went.
     Proposals(const Proposals&) = delete;
     Proposals& operator=(const Proposals&) = delete;
 
@@ -38,10 +40,12 @@ class Proposals {
     void offer_levels();
     void offer_levels_of_surface();
     void offer_less_echoes();
+    template <class When>
+    void offer_levels_instead(const When& when);
     void offer_borders();
     void offer_follows();
     bool is_small() const { return prospects_.vertices < kSmallPositions; }
-    bool has_echoes_alone(const PositionFormat& format) const;
+    bool knows_echoes_alone(const PositionFormat& format) const;
     double levels_price() const;
 
     const Prospects prospects_;

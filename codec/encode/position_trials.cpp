@@ -52,8 +52,6 @@ double try_out(const CodedPositions& all, const PositionFormat& format,
     return static_cast<double>(position_head_of(format).size()) + coder.bits / 8 * share;
 }
 
-// Tries one proposal after the other. Where there are more threads, those that come next are tried
-// meanwhile, as if this one went as usual; what comes of it is the same.
 class Trials {
   public:
     Trials(const CodedPositions& all, const std::vector<std::uint8_t>& leads, PositionFormat start,

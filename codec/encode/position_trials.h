@@ -1,6 +1,8 @@
 // Formats of positions, tried out one after the other.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>

@@ -125,7 +125,7 @@ class FlagDecoder {
         hold_ <<= count;
         held_ -= count;
     }
-    void refill() {  // to 56 bits or more
+    void refill() {  // from less than 56 bits to 56 or more
         if (bytes_.size() - position_ < 8) {
             refill_from_last();
             return;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <vector>
 
 #include "predict/position_format.h"
@@ -26,12 +25,13 @@ class EchoCodes {
 
     // What the nearest vertex that any echo leads to says of the new one, if there is any. The echo
     // that served last is enough while it leads close by; after a while without any the others are
-    // looked at in turn, one a vertex, then one in two vertices, and at last one in eight.
+    // looked at in turn, one a vertex; then nothing is looked at but at one vertex in two, and at
+    // last in eight.
     Earlier find(const Point3& guess, const std::vector<Point3>& values,
                  const std::vector<Point3>& exact) const {
         Earlier found;
-        const std::uint64_t rest = without_ < kWeary ? 1 : without_ < kWearier ? 2 : 8;
-        if (values.size() % rest != 0) return found;
+        const std::uint64_t stride = without_ < kWeary ? 1 : without_ < kWearier ? 2 : 8;
+        if (values.size() % stride != 0) return found;
         const auto look = [&](std::size_t e) {
             const auto near = index_.nearest(format_.echoes[e].back(guess), values);
             if (near.vertex == kNone || (found.vertex != kNone && near.distance >= found.distance))
@@ -44,7 +44,7 @@ class EchoCodes {
         const bool close = found.vertex != kNone &&
                            found.distance < index_.side() / ((history_ & 1) != 0 ? 4 : 16);
         const std::size_t count = format_.echoes.size();
-        const std::size_t turn = values.size() / rest % count;
+        const std::size_t turn = values.size() / stride % count;
         for (std::size_t e = 0; e < count && !close; ++e)
             if (e != last_ && (without_ < kPatience || e == turn)) look(e);
         if (found.vertex != kNone) carry_over(found, values[found.vertex], exact);

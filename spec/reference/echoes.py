@@ -86,10 +86,10 @@ class Echoes:
 
     def look_for(self, v, guess):
         """1, 2: (vertex, d, e), or None if there is no echo for vertex v."""
-        rest = 1 if self.without < 64 else 2 if self.without < 256 else 8
-        if v % rest:
+        stride = 1 if self.without < 64 else 2 if self.without < 256 else 8
+        if v % stride:
             return None
-        t = v // rest
+        t = v // stride
         best = None
 
         def look(e):
