@@ -27,6 +27,12 @@ void take_pairs(PositionFormat& f) {
     if (f.level_bits == 0) f.level_bits = f.cube_bits;
     f.has_levels = f.has_pairs = true;
 }
+bool knows_levels(const PositionFormat& f) {
+    return f.level_bits > 0;
+}
+void widen_intervals(PositionFormat& f) {
+    ++f.level_bits;
+}
 void drop_pairs(PositionFormat& f) {
     f.has_pairs = false;
 }
@@ -106,14 +112,11 @@ void Proposals::offer_levels() {
         f.has_levels = true;
         f.level_bits = f.cube_bits;
     }).ratio = &level_ratio_;
-    if (prospects_.vertices < kLarge / 4)
-        offer(
-            kRefused, [](const PositionFormat& f) { return f.level_bits > 0; },
-            [](PositionFormat& f) { ++f.level_bits; });
+    if (prospects_.vertices < kLarge / 4) offer(kRefused, knows_levels, widen_intervals);
     offer(
         kTaken,
         [&](const PositionFormat& f) {
-            return level_ratio_ < kHopeless && (f.level_bits > 0 || prospects_.vertices < kLarge);
+            return level_ratio_ < kHopeless && (knows_levels(f) || prospects_.vertices < kLarge);
         },
         take_pairs)
         .worth = kSlow;
@@ -128,7 +131,6 @@ void Proposals::offer_levels_of_surface() {
     Proposal& pairs = offer(kTaken, always, take_pairs);
     pairs.ratio = &level_ratio_;
     set_price(pairs, levels_price());
-    const auto knows_levels = [](const PositionFormat& f) { return f.level_bits > 0; };
     set_price(offer(kRefused, knows_levels, drop_pairs), -levels_price() / 2);
     if (prospects_.may_share) {
         set_price(offer(kRefused, knows_levels, drop_known_levels), -levels_price() / 2);
@@ -139,13 +141,12 @@ void Proposals::offer_levels_of_surface() {
                 take_levels),
             levels_price() / 2);
     }
-    if (prospects_.vertices < kLarge / 4)
-        offer(kRefused, knows_levels, [](PositionFormat& f) { ++f.level_bits; });
+    if (prospects_.vertices < kLarge / 4) offer(kRefused, knows_levels, widen_intervals);
 }
 
 // Echoes, and no levels but those that neighbours share.
 bool Proposals::knows_echoes_alone(const PositionFormat& format) const {
-    return format.level_bits == 0 && !format.echoes.empty() && prospects_.vertices < kLarge &&
+    return !knows_levels(format) && !format.echoes.empty() && prospects_.vertices < kLarge &&
            (is_small() || echo_ratio_ > kSurely);
 }
 
@@ -161,7 +162,7 @@ void Proposals::offer_less_echoes() {
     Proposal& without = offer(
         kRefused,
         [&](const PositionFormat& f) {
-            return f.level_bits > 0 && !f.echoes.empty() && (is_small() || echo_ratio_ > kSurely);
+            return knows_levels(f) && !f.echoes.empty() && (is_small() || echo_ratio_ > kSurely);
         },
         drop_echoes);
     if (prospects_.surface) without.worth = -kEchoesPrice;

@@ -33,6 +33,7 @@ def every():
     yield wild, "vtk", ["", "--position-bits 10"]
     yield two_alike, "vtk", ["", "--position-bits 12"]
     yield books, "vtk", ["", "--position-bits 9"]
+    yield late_image, "vtk", ["--position-bits 12"]
     yield scattered_polygons, "vtk", ["", "--position-bits 9"]
     yield from meshes_riding.every()
 
@@ -100,10 +101,10 @@ def decimal_tets():
 
 
 def crowded():
-    """A fine lattice of tets beside a coarse one: it all lies in one cube of the grid."""
+    """A fine lattice of tets beside a coarse one: it all lies in one cube of the grid, more than a search looks at."""
     points = []
     cells = []
-    for n, at, side in ((5, 0.0, 1 / 64), (4, 16.0, 64.0)):
+    for n, at, side in ((9, 0.0, 1 / 64), (4, 16.0, 64.0)):
         cells += [[len(points) + p for p in cell] for cell in box_tets(n)]
         steps = range(n + 1)
         points += [(at + side * x, side * y, side * z) for z in steps for y in steps for x in steps]
@@ -149,6 +150,17 @@ def two_alike():
         points += [move(*p) for p in sheet_points]
         cells += [[base + c for c in cell] for cell in sheet(6, 6)]
     points = [tuple(float(f"{a:.5f}") for a in p) for p in points]
+    return vtk(points, cells)
+
+
+def late_image():
+    """A rough sheet, and its mirror image: so many vertices without an echo that echoes are looked for at one in eight."""
+    random.seed(9)
+    n = 20
+    points = [(x + 0.5, y, random.random()) for y in range(n + 1) for x in range(n + 1)]
+    cells = sheet(n, n)
+    points += [(-x, y, z) for x, y, z in points]
+    cells += [[v + (n + 1) ** 2 for v in reversed(cell)] for cell in cells]
     return vtk(points, cells)
 
 
