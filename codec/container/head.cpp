@@ -250,7 +250,8 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
     out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) |
                                      (b.has_copies ? 4 : 0) | (b.mirrored ? 8 : 0) |
                                      (b.wants_mending ? 16 : 0) | (b.has_edge_points ? 32 : 0) |
-                                     (b.leaders_move ? 64 : 0) | (b.has_precedents ? 128 : 0)));
+                                     (b.leaders_move ? 64 : 0) |
+                                     (b.has_precedents || b.by_folds ? 128 : 0)));
     out.varint(b.cells);
     if (kind == CellKind::polygon) {
         out.varint(b.uniform_degree);
@@ -267,7 +268,8 @@ Bytes write_block_head(const BlockHead& b, CellKind kind) {
         if ((told >> i & 1) != 0) out.varint(b.*kSeldomTold[i]);
     if (kind == CellKind::tet) {
         out.varint(b.grid_side);
-        for (const std::uint32_t n : b.grid_count) out.varint(n);
+        if (!b.by_folds)
+            for (const std::uint32_t n : b.grid_count) out.varint(n);
     }
     return out.take();
 }
@@ -284,11 +286,11 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
     b.wants_mending = (flags & 16) != 0;
     b.has_edge_points = (flags & 32) != 0;
     b.leaders_move = (flags & 64) != 0;
-    b.has_precedents = (flags & 128) != 0;
+    b.has_precedents = (flags & 128) != 0 && kind == CellKind::polygon;
+    b.by_folds = (flags & 128) != 0 && kind == CellKind::tet;
     b.cells = in.varint();
     constexpr Index kMost = 0xFFFFFFFEu;
     if (((b.mirrored || b.has_edge_points || b.leaders_move) && kind != CellKind::tet) ||
-        (b.has_precedents && kind != CellKind::polygon) ||
         b.cells >= (kind == CellKind::tet ? kMostTets : kMost))
         return bad("a block with more cells than a block may have, or flags of other cells");
     if (kind == CellKind::polygon) {
@@ -316,6 +318,7 @@ Result<BlockHead> read_block_head(ByteReader& in, CellKind kind) {
         // So few that the grid is no larger than what else is kept of the vertices.
         std::uint64_t left = most_grid_blocks(b.vertices);
         for (std::uint32_t& n : b.grid_count) {
+            if (b.by_folds) break;
             const std::uint64_t count = in.varint();
             if (count == 0 || count > 0xFFFFFFFFu || grid_blocks_of(count) > left)
                 return bad("a grid of too many cubes");

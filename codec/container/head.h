@@ -57,6 +57,7 @@ struct BlockHead {
     Index shape_step = 0;         // tets: lengths that tell shapes of gates apart; 0: no leaders
     bool leaders_move = false;    // tets: what they tell is moved, not mapped
     bool has_precedents = false;  // polygons: answers of the walk are asked for by those before
+    bool by_folds = false;        // tets: the walk is FoldWalk's
 };
 
 // The vertex grid has its cubes in blocks of 4 x 4 x 4, so many of a block with so many vertices.

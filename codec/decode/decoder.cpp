@@ -15,6 +15,7 @@
 #include "decode/positions.h"
 #include "decode/walk_driver.h"
 #include "predict/edge_points.h"
+#include "walk/fold_walk.h"
 #include "walk/priors.h"
 #include "walk/read_strip.h"
 #include "walk/surface_walk.h"
@@ -125,7 +126,8 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
                         tets ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
                              : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen),
                         file.head.kind, block, needs_stencils(file.head));
-    Status status = tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
+    Status status = block.by_folds ? run_walk<FoldWalk<DecodeDriver>>(driver, limits, at, out.walked)
+                    : tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
                          : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
 

@@ -48,7 +48,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
     format.has_along = (flags & 2) != 0;
     const unsigned base = flags >> 4 & 3;
     numbers.base = static_cast<NumberBase>(base);
-    bool sane = fitted < 2 * kHasRounds && ((fitted & kHasRounds) == 0 || format.has_along) &&
+    bool sane = fitted < 2 * kHasRice && ((fitted & kHasRounds) == 0 || format.has_along) &&
                 (!format.has_along || head.kind == CellKind::tet) && base <= 2 &&
                 (base == 0) == !head.lossless && (head.lossless || !numbers.has_minus_zero);
     if (head.lossless) {
@@ -96,6 +96,7 @@ Result<PositionFormat> read_position_format(ByteReader& in, const Head& head) {
             format.weights[c][i] = static_cast<std::int16_t>(sane ? steps * (1 << grain) : 0);
         }
     }
+    format.has_rice = (fitted & kHasRice) != 0;
     if ((fitted & kHasRounds) != 0 && sane) sane = read_round_faces(in, format.rounds);
     if (!sane || !in.ok())
         return Error{Code::corrupt, in.at(), "the head of the positions makes no sense"};

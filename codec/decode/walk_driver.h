@@ -26,6 +26,7 @@ struct ReadingCoder {
         with_size_kinds(models_of(kResidualPriors, ResidualContexts::count, kResidualPriorSeen));
     bool flag(Context context, bool) { return in.flag(models[context]); }
     std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
+    std::uint64_t rice(std::uint64_t, int count) { return in.rice(count); }
 };
 
 // The truths, which only the encoder knows, are constants here; they cost nothing once compiled.
@@ -91,6 +92,7 @@ class DecodeDriver {
     Id apex() const { return kNone; }
     bool is_new_near(const Point3&, double) const { return false; }
     bool glues(Id) const { return false; }
+    bool meets(Id) const { return true; }
     bool border(Id) const { return false; }
 
   private:

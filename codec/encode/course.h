@@ -4,6 +4,7 @@
 #include "container/head.h"
 #include "encode/positions.h"
 #include "encode/walk_driver.h"
+#include "walk/fold_walk.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
 
@@ -16,7 +17,8 @@ struct CoursePlan {
 };
 
 // Completes the format of `positions` by what the walk asks of it. Linear.
-CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions);
+CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions,
+                       bool fast);
 
 // As the walk's models begin.
 std::vector<FlagModel> walk_models(CellKind kind);
@@ -35,6 +37,9 @@ Course run_course(const Complex& complex, const CoursePlan& plan, Codes& codes) 
         return Course{driver.take(), walk.take()};
     };
     const bool copies = plan.block.has_copies, flips = plan.block.has_flips;
+    if (plan.block.by_folds)
+        return run(TetEncodeDriver<Codes>(complex, plan.walk, codes, copies, flips),
+                   [&](auto& driver) { return FoldWalk(driver, plan.limits); });
     if (complex.kind == CellKind::tet)
         return run(TetEncodeDriver<Codes>(complex, plan.walk, codes, copies, flips),
                    [&](auto& driver) { return TetWalk(driver, plan.limits); });

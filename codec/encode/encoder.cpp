@@ -117,7 +117,7 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     Result<Complex> built = building.get();
     if (!built) return built.error();
     const Complex& complex = *built;
-    CoursePlan course_plan = plan_course(mesh, complex, *plan);
+    CoursePlan course_plan = plan_course(mesh, complex, *plan, options.fast);
     BlockHead& block = course_plan.block;
     Answers answers;
     const bool keeps_answers = mesh.kind == CellKind::polygon && !options.fast;

@@ -107,6 +107,7 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
     first.has_along = fast && may_go_along;
     first.weights = weights(first.has_along ? &planes : nullptr);
     if (fast) {
+        first.has_rice = true;
         first.has_levels = is_lattice(record);
         first.level_bits = first.cube_bits;
         return {first, {}};

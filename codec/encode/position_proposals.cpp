@@ -14,6 +14,9 @@ constexpr double kHopeless = 1.02;      // where levels make more, other kinds a
 constexpr double kSurely = 0.9;         // where echoes make less, levels are no help without them
 // Of surfaces; of small ones half as much, and nothing.
 constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.01;
+// Of models for residuals, beside Rice codes: a hundredth of it is what runs of flags take more than
+// trials count.
+constexpr double kModelsPrice = 0.025;
 constexpr bool kTaken = true, kRefused = false;  // as usual
 
 bool always(const PositionFormat&) {
@@ -59,6 +62,7 @@ void set_price(Proposal& proposal, double price) {
 }  // namespace
 
 Proposals::Proposals(Prospects prospects) : prospects_(std::move(prospects)) {
+    if (prospects_.surface) offer_rice(kTaken);
     offer_echoes();
     if (prospects_.surface)
         offer_levels_of_surface();
@@ -73,6 +77,7 @@ Proposals::Proposals(Prospects prospects) : prospects_(std::move(prospects)) {
             kRefused, [](const PositionFormat& f) { return f.has_follows || !f.echoes.empty(); },
             [](PositionFormat& f) { f.weights = without_triangles(f.weights); })
             .worth = 0;
+    if (prospects_.surface) offer_rice(kRefused);
 }
 
 // `when`: is there anything to try? `change`: what is other than in the format kept so far.
@@ -87,6 +92,14 @@ Proposal& Proposals::offer(bool usual, const When& when, const Change& change) {
     };
     proposal.usual = usual;
     return proposal;
+}
+
+// Residuals take less time without models, and hardly more bytes where few of them are 0.
+void Proposals::offer_rice(bool usual) {
+    set_price(offer(
+                  usual, [](const PositionFormat& f) { return !f.has_rice; },
+                  [](PositionFormat& f) { f.has_rice = true; }),
+              -kModelsPrice);
 }
 
 void Proposals::offer_echoes() {

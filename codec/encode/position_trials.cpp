@@ -30,6 +30,10 @@ struct CountingCoder {
         bits += count;
         return truth;
     }
+    std::uint64_t rice(std::uint64_t truth, int count) {
+        bits += rice_bits(truth, count);
+        return truth;
+    }
 };
 
 // About how many bytes that would make. Of large meshes one in a few stretches of vertices is

@@ -26,6 +26,10 @@ struct WritingCoder {
         out.plain(truth, count);
         return truth;
     }
+    std::uint64_t rice(std::uint64_t truth, int count) {
+        out.rice(truth, count);
+        return truth;
+    }
 };
 
 // A bit for each set of weights that is not as in `usual`.
@@ -57,6 +61,7 @@ Bytes position_head_of(const PositionFormat& format) {
         (format.numbers.has_minus_zero ? 8 : 0) | static_cast<int>(format.numbers.base) << 4 |
         (format.echoes.empty() ? 0 : 64) | (format.has_levels ? 128 : 0)));
     if (!format.rounds.empty()) fitted |= kHasRounds;
+    if (format.has_rice) fitted |= kHasRice;
     out.varint(fitted);
     if (!format.grid()) {
         out.varint(zigzag(format.numbers.places));

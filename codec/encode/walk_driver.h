@@ -234,6 +234,7 @@ class TetEncodeDriver : public EncodeDriver<Codes> {
                lies_near(plan_.places[complex_.point[complex_.vertex[corners_[3]]]], there, reach);
     }
     bool glues(Id facet) const { return visited(complex_.twin[corners_[facet & 3]]); }
+    bool meets(Id facet) const { return glues(facet); }
     bool border(Id facet) const { return complex_.twin[corners_[facet & 3]] == kNone; }
 };
 

@@ -71,6 +71,19 @@ class FlagDecoder {
         return value << count | bits(count);
     }
 
+    // A number whose rest has `count` bits, at most 46.
+    std::uint64_t rice(int count) {
+        if (held_ < kRiceEscape + 1) refill();
+        const int zeros = std::countl_zero(hold_);
+        if (zeros >= kRiceEscape) {
+            take(kRiceEscape);
+            const auto more = static_cast<int>(bits(6));
+            return (std::uint64_t{kRiceEscape} << count) + plain(more);
+        }
+        take(zeros + 1);
+        return static_cast<std::uint64_t>(zeros) << count | plain(count);
+    }
+
     // More bits were asked for than there are: the stream is cut or not one of ours.
     bool exhausted() const { return 8 * past_ > static_cast<std::uint64_t>(held_); }
     // All bits were used, but for the padding of the last byte, which is zero.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -36,6 +37,21 @@ class FlagEncoder {
             const std::uint64_t part = value >> (count - bits);
             codes_.push_back({static_cast<std::uint32_t>(part & ((1u << bits) - 1)),
                               static_cast<std::uint8_t>(bits)});
+        }
+    }
+
+    // A number whose rest has `count` bits.
+    void rice(std::uint64_t value, int count) {
+        const std::uint64_t quotient = value >> count;
+        if (quotient < kRiceEscape) {
+            plain(1, static_cast<int>(quotient) + 1);
+            plain(value, count);
+        } else {
+            const std::uint64_t over = value - (std::uint64_t{kRiceEscape} << count);
+            const auto more = static_cast<int>(std::bit_width(over));
+            plain(0, kRiceEscape);
+            plain(static_cast<std::uint64_t>(more), 6);
+            plain(over, more);
         }
     }
 

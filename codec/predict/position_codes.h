@@ -24,6 +24,7 @@
 #include "predict/pricing.h"
 #include "predict/residual_context.h"
 #include "predict/rest_codes.h"
+#include "predict/rice_codes.h"
 
 namespace ravel {
 
@@ -353,9 +354,12 @@ class PositionCodes {
             if (!levels || !levels_.next_by(pricing, values_, axis, whole,
                                             before_of(guess, axis, value), has)) {
                 const double part = carried ? 0 : rounding_.part_of(guess.at[axis], whole);
-                code_residual(pricing,
-                              carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step), r,
-                              sign_by(axis, part));
+                const Scale scale =
+                    carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step);
+                if (format_.has_rice)
+                    rice_.code(pricing, scale, r);
+                else
+                    code_residual(pricing, scale, r, sign_by(axis, part));
                 pricing.bits += rest_bits(format_.numbers, truth[axis].whole);
             }
             sizes_.coded_residual(axis, r);
@@ -375,7 +379,13 @@ class PositionCodes {
     template <class Sign = NoSignQuestion>
     std::int64_t code_whole(const Scale& scale, std::int64_t guess, std::int64_t& whole,
                             const Sign& sign = {}) {
-        const std::int64_t r = code_residual(coder_, scale, whole - guess, sign);
+        std::int64_t r = whole - guess;
+        if (format_.has_rice) {
+            r = rice_.code(coder_, scale, r);
+            rice_.learn(scale, r);
+        } else {
+            r = code_residual(coder_, scale, r, sign);
+        }
         whole = sum_of(guess, r);
         return r;
     }
@@ -388,6 +398,7 @@ class PositionCodes {
     EarlierCodes<Coder> earlier_;
     Predictor predictor_;
     ResidualSizes sizes_;
+    RiceMeans rice_;
     LevelCodes<Coder> levels_;
     RestCodes<Coder> rest_;
     std::vector<Point3> values_, exact_;

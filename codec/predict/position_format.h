@@ -20,6 +20,7 @@ namespace ravel {
 // Beside a bit for each set of weights that is told: those of triangles that are not are 0.
 inline constexpr unsigned kNoTriangleDefaults = 1u << kWeightSets;
 inline constexpr unsigned kHasRounds = 2 * kNoTriangleDefaults;  // and that there are round faces
+inline constexpr unsigned kHasRice = 2 * kHasRounds;             // and Rice codes
 
 struct PositionFormat {
     NumberFormat numbers;
@@ -35,6 +36,7 @@ struct PositionFormat {
     bool has_along = false;    // tets: new vertices may go on with the border
     RoundFaceList rounds;      // only if has_along
     bool has_follows = false;  // parts repeat: see follows.h
+    bool has_rice = false;     // residuals of guesses are Rice codes
     std::vector<Echo> echoes;  // at most kMostEchoes
     int cube_bits = 0;         // of the cubes in which echoes are looked for
     // Lossless tets: integers that stand for the numbers where the walk asks for places.

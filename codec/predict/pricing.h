@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/context.h"
+#include "entropy/flag_model.h"
 
 namespace ravel {
 
@@ -20,6 +21,10 @@ struct Pricing {
     }
     std::uint64_t plain(std::uint64_t truth, int count) {
         bits += count;
+        return truth;
+    }
+    std::uint64_t rice(std::uint64_t truth, int count) {
+        bits += rice_bits(truth, count);
         return truth;
     }
 };

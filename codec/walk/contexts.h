@@ -46,7 +46,17 @@ inline constexpr ContextBlock kCopyOf{kCopyNear.end(), kNumberSteps};
 inline constexpr ContextBlock kLed{kCopyOf.end(), 16, 4, 2,
                                    4};  // the leader's misses, those of all; new? mismatch
 inline constexpr ContextBlock kLedBorder{kLed.end(), 2, 28, 3, 2};  // the leader's; the same
-inline constexpr Context kContexts = kLedBorder.end();
+// Of the walk by folds:
+inline constexpr ContextBlock kFold{kLedBorder.end(), 8, 5, 3, 4};  // tets round the edge, the next
+                                                                    // one; times; borders
+inline constexpr ContextBlock kFoldNew{kFold.end(), 6, 4, 4, 4};  // the same tets; borders, corners
+                                                                  // on borders
+inline constexpr ContextBlock kFoldNear{kFoldNew.end(), 4, 8};  // borders across; near? which?
+inline constexpr ContextBlock kFoldRank{kFoldNear.end(), kNumberSteps};
+inline constexpr ContextBlock kFoldAge{kFoldRank.end(), kNumberSteps};
+inline constexpr ContextBlock kFoldBorders{kFoldAge.end(), 5, 2};  // how many; new?
+inline constexpr ContextBlock kFoldBorder{kFoldBorders.end(), 22};
+inline constexpr Context kContexts = kFoldBorder.end();
 }  // namespace tet
 
 }  // namespace ravel

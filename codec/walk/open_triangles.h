@@ -46,8 +46,8 @@ class OpenTriangles {
     // The triangle with these vertices, or kNone.
     template <class VerticesOf>
     Id find(const Vertices& vertices, const VerticesOf& vertices_of) const {
+        if (!may_be_here(vertices)) return kNone;
         const Key key = key_of(vertices);
-        if (!may_be_here(key)) return kNone;
         const List& list = around_[key[2]].newest_of;
         if (list.count == kCrowd) return find_in_hash(key, vertices_of);
         Id t = list.first;
@@ -83,13 +83,17 @@ class OpenTriangles {
         const Id low = std::min(v[0], v[1]), high = std::max(v[0], v[1]);
         return {std::min(low, v[2]), std::max(low, std::min(high, v[2])), std::max(high, v[2])};
     }
-    // One bit of 64.
-    static std::uint64_t sign_of(const Key& v) {
-        const std::uint32_t h = v[0] * 0x9E3779B1u ^ v[1] * 0x85EBCA77u ^ v[2] * 0xC2B2AE3Du;
-        return std::uint64_t{1} << (h >> 26);
+    // One bit of 64, the same in any order.
+    static std::uint64_t sign_of(const Vertices& v) {
+        const auto share = [](Id id) {
+            const std::uint32_t h = id * 0x9E3779B1u;
+            return (h ^ h >> 15) * 0x85EBCA77u;
+        };
+        return std::uint64_t{1} << ((share(v[0]) + share(v[1]) + share(v[2])) >> 26);
     }
-    bool may_be_here(const Key& v) const {
-        return v[2] < around_.size() &&
+    // In whatever order the vertices are: all but few of those asked about are not.
+    bool may_be_here(const Vertices& v) const {
+        return std::max({v[0], v[1], v[2]}) < around_.size() &&
                (around_[v[0]].signs & around_[v[1]].signs & around_[v[2]].signs & sign_of(v)) != 0;
     }
 

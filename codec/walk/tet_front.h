@@ -36,6 +36,8 @@ class TetFront {
     };
 
     const Triangle& operator[](Id triangle) const { return triangles_[triangle]; }
+    // All triangles so far have smaller numbers.
+    std::size_t size() const { return triangles_.size(); }
     void set_border(Id triangle) { triangles_[triangle].border = true; }
 
     const Triangle& across(const Triangle& t, Id edge) const {
@@ -64,21 +66,27 @@ class TetFront {
     // the gate's vertices, corner 3 is the apex.
     std::array<Id, 3> add_tet(Id gate, Id apex, Id facet) {
         const Triangle old = triangles_[gate];
-        release(gate);
+        const std::array<Id, 3> made{gate, take(), take()};
         const auto& v = old.vertex;
-        const std::array<Id, 3> made{add({v[1], v[2], apex}, facet),
-                                     add({v[2], v[0], apex}, facet + 1),
-                                     add({v[0], v[1], apex}, facet + 2)};
         for (Id k = 0; k < 3; ++k) {
+            const Id after = (k + 1) % 3, before = (k + 2) % 3;
             Id other = old.mate[k];
             unsigned tets = old.fan[k] + 1u;
             if (other >> 2 == gate) {  // the gate is its own neighbour
                 other = slot(made[other & 3], 2);
                 ++tets;
             }
-            pair(slot(made[k], 2), other, tets);
+            // The edges at the apex: facet k's edge 0 is facet k + 1's edge 1.
+            triangles_[made[k]] = {{v[after], v[before], apex},
+                                   {slot(made[after], 1), slot(made[before], 0), other},
+                                   {1, 1, most_255(tets)},
+                                   false,
+                                   facet + k};
+            if (old.mate[k] >> 2 == gate) continue;
+            Triangle& beside = triangles_[other >> 2];
+            beside.mate[other & 3] = slot(made[k], 2);
+            beside.fan[other & 3] = most_255(tets);
         }
-        join_sides(made);
         return made;
     }
 
@@ -86,8 +94,7 @@ class TetFront {
     void glue(Id f, Id g) {
         for (Id e = 0; e < 3; ++e) {
             const Triangle &a = triangles_[f], &b = triangles_[g];
-            Id r = 0;
-            while (r < 2 && b.vertex[r] != a.vertex[e]) ++r;
+            const Id r = (b.vertex[1] == a.vertex[e]) + 2 * (b.vertex[2] == a.vertex[e]);
             const Id s = slot(f, e), t = slot(g, r), beside_s = a.mate[e], beside_t = b.mate[r];
             if (beside_s == t || beside_s == s || beside_t == t) continue;
             pair(beside_s, beside_t, a.fan[e] + unsigned{b.fan[r]});
@@ -95,6 +102,9 @@ class TetFront {
         release(f);
         release(g);
     }
+
+    // The triangle across the edge that was the gate's, of one that add_tet has just made.
+    Id beyond(Id triangle) const { return triangles_[triangle].mate[2] >> 2; }
 
     // --- open triangles by their vertices; no two have the same --------------------------------
 
@@ -118,14 +128,18 @@ class TetFront {
         const std::array<Id, 3>& operator()(Id t) const { return triangles[t].vertex; }
     };
     static Id slot(Id triangle, Id edge) { return triangle << 2 | edge; }
-    Id add(const std::array<Id, 3>& vertex, Id facet) {
-        Id t = free_;
-        if (t != kNone) {
-            free_ = triangles_[t].mate[0];
-        } else {
-            t = static_cast<Id>(triangles_.size());
+    // The place of a new triangle.
+    Id take() {
+        const Id t = free_;
+        if (t == kNone) {
             triangles_.emplace_back();
+            return static_cast<Id>(triangles_.size() - 1);
         }
+        free_ = triangles_[t].mate[0];
+        return t;
+    }
+    Id add(const std::array<Id, 3>& vertex, Id facet) {
+        const Id t = take();
         triangles_[t].vertex = vertex;
         triangles_[t].border = false;
         triangles_[t].facet = facet;
@@ -139,9 +153,12 @@ class TetFront {
         Triangle &a = triangles_[s >> 2], &b = triangles_[r >> 2];
         a.mate[s & 3] = r;
         b.mate[r & 3] = s;
-        a.fan[s & 3] = b.fan[r & 3] = static_cast<std::uint8_t>(tets < 255 ? tets : 255);
+        a.fan[s & 3] = b.fan[r & 3] = most_255(tets);
     }
-    // The edges at the apex: facet k's edge 0 is facet k + 1's edge 1.
+    static std::uint8_t most_255(unsigned tets) {
+        return static_cast<std::uint8_t>(tets < 255 ? tets : 255);
+    }
+    // The edges at the apex of a seed.
     void join_sides(const std::array<Id, 3>& made) {
         for (Id k = 0; k < 3; ++k) pair(slot(made[k], 0), slot(made[(k + 1) % 3], 1), 1);
     }

@@ -72,6 +72,7 @@ struct ResidualTape {
     }
     double cost(Context context, bool truth) const { return models[context].cost(truth); }
     std::uint64_t plain(std::uint64_t truth, int) { return truth; }
+    std::uint64_t rice(std::uint64_t truth, int) { return truth; }
 };
 
 struct Learnt {
@@ -105,7 +106,7 @@ bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
     auto positions = plan_positions(mesh, options);
     auto complex = build_complex(mesh);
     if (!positions || !complex) return false;
-    const CoursePlan plan = plan_course(mesh, *complex, *positions);
+    const CoursePlan plan = plan_course(mesh, *complex, *positions, false);
     Tally& tally = mesh.kind == CellKind::tet ? learnt.tet : learnt.surface;
     WalkTape tape{Tally(tally.count.size()), {}};
     const Course course = run_course(*complex, plan, tape);
