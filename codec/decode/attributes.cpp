@@ -117,10 +117,11 @@ class Reader {
         if (!companions_) companions_ = std::make_unique<CompanionGraph<Walked>>(ground_);
         return *companions_;
     }
-    FloodGraph& graph(Place place) {
-        if (place == Place::companion) return companion_graph();
+    bool flood_place(Place place, ReadingCoder& coder, TupleCodes<ReadingCoder>& codes,
+                     std::vector<Id>& tuple) {
+        if (place == Place::companion) return flood(coder, codes, companion_graph(), tuple);
         if (!graph_) graph_ = std::make_unique<CellGraph<Walked>>(ground_, marked_);
-        return *graph_;
+        return flood(coder, codes, *graph_, tuple);
     }
 
     Status read_bits_of(FlagDecoder& bits, std::size_t i, const AttributeCoding& coding) {
@@ -150,7 +151,7 @@ class Reader {
             // One tuple that all have needs no words.
             const bool all_alike = !indexed && count == 1;
             const bool sane = all_alike || (coding.tuples == Tuples::flooded
-                                                ? flood(coder, codes, graph(head.place), tuple)
+                                                ? flood_place(head.place, coder, codes, tuple)
                                                 : code_tuples(codes, beside, tuple));
             if (!sane || bits.exhausted() || (!indexed && !all_alike && codes.used() != count))
                 return corrupt("an attribute refers to a tuple that does not exist");

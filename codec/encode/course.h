@@ -16,9 +16,10 @@ struct CoursePlan {
     WalkPlan walk;
 };
 
-// Completes the format of `positions` by what the walk asks of it. Linear.
+// Completes the format of `positions` by what the walk asks of it. `by_folds`: of tets, by FoldWalk.
+// Linear.
 CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions,
-                       bool fast);
+                       bool by_folds);
 
 // As the walk's models begin.
 std::vector<FlagModel> walk_models(CellKind kind);
@@ -26,6 +27,7 @@ std::vector<FlagModel> walk_models(CellKind kind);
 struct Course {
     WalkRecord record;
     Walked walked;
+    bool is_whole = true;  // false: FoldWalk cannot walk this mesh
 };
 
 // Walks, and gives every answer to `codes` (see WalkCodes).
@@ -33,8 +35,8 @@ template <class Codes>
 Course run_course(const Complex& complex, const CoursePlan& plan, Codes& codes) {
     const auto run = [&](auto driver, auto make_walk) {
         auto walk = make_walk(driver);
-        walk.run();
-        return Course{driver.take(), walk.take()};
+        const bool whole = walk.run();
+        return Course{driver.take(), walk.take(), whole};
     };
     const bool copies = plan.block.has_copies, flips = plan.block.has_flips;
     if (plan.block.by_folds)

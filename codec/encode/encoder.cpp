@@ -122,7 +122,12 @@ Result<Encoded> encode(const Mesh& given, const EncodeOptions& options) {
     Answers answers;
     const bool keeps_answers = mesh.kind == CellKind::polygon && !options.fast;
     WalkCodes codes{{}, walk_models(mesh.kind), keeps_answers ? &answers : nullptr};
-    const Course course = run_course(complex, course_plan, codes);
+    Course course = run_course(complex, course_plan, codes);
+    if (!course.is_whole) {
+        course_plan = plan_course(mesh, complex, *plan, false);
+        codes = {{}, walk_models(mesh.kind)};
+        course = run_course(complex, course_plan, codes);
+    }
     const WalkRecord& record = course.record;
     Reorder order = reorder_of(mesh, complex, record);
     const EdgePoints edges = order_edge_points(mesh, record, order);

@@ -67,14 +67,6 @@ bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
     return 4 * near > asked;
 }
 
-// Were most vertices told by leaders? Then tets repeat, and so do the levels of their vertices.
-bool is_lattice(const WalkRecord& record) {
-    const auto led = std::count_if(
-        record.stencils.begin(), record.stencils.end(),
-        [](const Stencil& stencil) { return stencil.configuration == Configuration::led; });
-    return 2 * static_cast<std::size_t>(led) > record.stencils.size();
-}
-
 bool has_triangles(const WalkRecord& record) {
     return std::any_of(record.stencils.begin(), record.stencils.end(),
                        [](const Stencil& s) { return s.configuration == Configuration::triangle; });
@@ -96,7 +88,6 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
         if (!skip[v]) firm.push_back(places[v]);
     }
     PositionFormat first = all.plan.format;
-    const bool may_go_along = goes_along(record, places);
     const RoundFaces planes;  // no round ones
     const auto weights = [&](const RoundFaces* along) {
         return fit_weights(record.stencils, places, skip, first.mirrored, along);
@@ -104,12 +95,9 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
     auto finding_echoes =
         start(threads > 1 && !fast, [&] { return find_echoes(firm, first.numbers.digits == 0); });
     first.cube_bits = cube_bits_of(record, places, skip);
-    first.has_along = fast && may_go_along;
-    first.weights = weights(first.has_along ? &planes : nullptr);
+    first.weights = weights(nullptr);
     if (fast) {
         first.has_rice = true;
-        first.has_levels = is_lattice(record);
-        first.level_bits = first.cube_bits;
         return {first, {}};
     }
 
@@ -126,7 +114,7 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
     prospects.may_share = vertices < kSmallPositions || has_level_faces(record, places);
     prospects.may_follow = may_follow;
     prospects.has_triangles = has_triangles(record);
-    if (may_go_along) prospects.along_weights = weights(&planes);
+    if (goes_along(record, places)) prospects.along_weights = weights(&planes);
     std::vector<std::uint8_t> leads = planning_follows.get();
     if (!prospects.surface) prospects.rounds = find_round_faces(record, places, skip);
     if (!prospects.rounds.empty()) {

@@ -56,9 +56,10 @@ class FloodGraph {
     std::vector<std::uint8_t> walls_;
 };
 
-// `tuple` has the writer's numbers before, numbers by use after. Linear.
-template <class Coder>
-bool flood(Coder& coder, TupleCodes<Coder>& codes, FloodGraph& graph, std::vector<Id>& tuple) {
+// `tuple` has the writer's numbers before, numbers by use after. Linear. `Graph`: a FloodGraph; a
+// final class is asked without detours.
+template <class Coder, class Graph>
+bool flood(Coder& coder, TupleCodes<Coder>& codes, Graph& graph, std::vector<Id>& tuple) {
     const Id size = graph.size();
     std::vector<std::uint8_t> known(size, 0);
     std::vector<Id> queue;

@@ -102,6 +102,18 @@ void join_kinds(Tally& residual) {
         }
 }
 
+// The contexts of FoldWalk, which has none in common with TetWalk but those of vertices.
+void learn_folds(const Mesh& mesh, const Complex& complex, const EncodeOptions& options,
+                 Tally& into) {
+    auto positions = plan_positions(mesh, options);
+    if (!positions) return;
+    const CoursePlan plan = plan_course(mesh, complex, *positions, true);
+    WalkTape tape{Tally(into.count.size()), {}};
+    if (!run_course(complex, plan, tape).is_whole) return;
+    for (Context c = 0; c < tet::kFold.base; ++c) tape.tally.count[c] = {};
+    into.take_in(tape.tally);
+}
+
 bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
     auto positions = plan_positions(mesh, options);
     auto complex = build_complex(mesh);
@@ -116,6 +128,7 @@ bool learn(const Mesh& mesh, const EncodeOptions& options, Learnt& learnt) {
         tape.answers.tell(Precedents(plan.block.cells, plan.block.corners), models, precedents);
     }
     tally.take_in(tape.tally);
+    if (mesh.kind == CellKind::tet) learn_folds(mesh, *complex, options, learnt.tet);
     learn_residuals(*complex, course, *positions, learnt.residual);
     return true;
 }
