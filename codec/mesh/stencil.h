@@ -51,4 +51,12 @@ inline Stencil stencil_of(Configuration configuration, std::initializer_list<Id>
     return stencil;
 }
 
+// The corners before and behind the new one in its cell, as far as the stencil tells.
+inline std::array<Id, 2> neighbours_of(const Stencil& stencil) {
+    const Configuration c = stencil.configuration;
+    const bool both = c != Configuration::seed && c != Configuration::quad_third &&
+                      c != Configuration::polygon;
+    return {stencil.at[0], both ? stencil.at[1] : kNone};
+}
+
 }  // namespace ravel

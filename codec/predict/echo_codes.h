@@ -1,11 +1,13 @@
 // Vertices that stand where an earlier one stood, once mirrored or moved. The earlier vertex is
-// looked for near the place from which the guess would have come, and one flag says whether the new
+// looked for beside those that the neighbours echo, or else near the place from which the guess
+// would have come, and one flag says whether the new
 // one is told by it. On either side: `Coder` writes or reads flags.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include "predict/echo_partners.h"
 #include "predict/position_format.h"
 #include "predict/residual_context.h"
 #include "predict/vertex_index.h"
@@ -18,18 +20,34 @@ class EchoCodes {
     EchoCodes(Coder& coder, const PositionFormat& format, std::size_t vertices)
         : coder_(coder), format_(format), index_(format.cube_bits, vertices) {}
 
-    void reserve(std::size_t vertices) { index_.reserve(vertices); }
+    void reserve(std::size_t vertices) {
+        index_.reserve(vertices);
+        partners_.reserve(vertices);
+    }
     // Once per vertex: where it stands, or that an earlier one stands there.
     void insert(const Point3& value) { index_.insert(value); }
     void skip() { index_.skip(); }
+    // Before that: which vertex it echoes, if any (see EchoPartners).
+    void add_partner(const Stencil* stencil, Id partner = kNone) {
+        partners_.add(stencil, partner, last_);
+    }
 
-    // What the nearest vertex that any echo leads to says of the new one, if there is any. The echo
-    // that served last is enough while it leads close by; after a while without any the others are
-    // looked at in turn, one a vertex; then nothing is looked at but at one vertex in two, and at
-    // last in eight.
-    Earlier find(const Point3& guess, const std::vector<Point3>& values,
-                 const std::vector<Point3>& exact) const {
+    // What the vertex beside the partners of the neighbours says of the new one; if there is none
+    // the nearest that any echo leads to, if there is any. The echo that served last is enough while
+    // it leads close by; after a while without any the others are looked at in turn, one a vertex;
+    // then nothing is looked at but at one vertex in two, and at last in eight.
+    Earlier find(const Stencil& stencil, const Point3& guess, const std::vector<Point3>& values,
+                 const std::vector<Point3>& exact) {
         Earlier found;
+        const EchoPartners::Near tied = partners_.nearest(stencil, guess, format_.echoes, values);
+        times_ = tied.times;
+        if (tied.vertex != kNone) {
+            found.vertex = tied.vertex;
+            found.distance = tied.distance;
+            found.echo = tied.echo;
+            carry_over(found, values[found.vertex], exact);
+            return found;
+        }
         const std::uint64_t stride = without_ < kWeary ? 1 : without_ < kWearier ? 2 : 8;
         if (values.size() % stride != 0) return found;
         const auto look = [&](std::size_t e) {
@@ -73,7 +91,7 @@ class EchoCodes {
     static constexpr std::uint64_t kPatience = 8, kWeary = 64, kWearier = 256;
 
     Context context_of(const Earlier& found) const {
-        return ResidualContexts::echo.at(width_of(found.distance), history_);
+        return ResidualContexts::echo.at(width_of(found.distance), history_, times_);
     }
 
     void carry_over(Earlier& found, const Point3& value, const std::vector<Point3>& exact) const {
@@ -99,9 +117,11 @@ class EchoCodes {
     Coder& coder_;
     const PositionFormat& format_;
     VertexIndex index_;
+    EchoPartners partners_;
     std::size_t last_ = 0;  // the echo that told a vertex last
     std::uint64_t without_ = 0;
     std::uint32_t history_ = 0;  // the last three answers
+    std::uint32_t times_ = 0;    // how many partners what was found is tied to
 };
 
 }  // namespace ravel

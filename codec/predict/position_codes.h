@@ -86,7 +86,7 @@ class PositionCodes {
             told = follows = earlier_.follows(found, better);
         }
         if (echoes_ && !told && !edge) {
-            found = echoes_->find(guess.at, values_, exact_);
+            found = echoes_->find(stencil, guess.at, values_, exact_);
             if (found.vertex != kNone) {
                 bool better = false;
                 if constexpr (Coder::kWrites)
@@ -169,6 +169,7 @@ class PositionCodes {
         if (told) earlier_.end();
         if (leads_ && !edge && leads_->in_seed())
             leads_->missed(next_vertex(), minus(value, guess.at));
+        if (echoes_) echoes_->add_partner(&stencil, told && !follows ? found.vertex : kNone);
         add(value, exact, stays && found.copies && all_same);
         return sane;
     }
@@ -211,6 +212,7 @@ class PositionCodes {
             leads_->missed(next_vertex(), minus(value, guess_at(stencil)));
         const bool stays = leader != kNone && values_[leader] == value &&
                            (!keeps_exact_ || exact_[leader] == exact);
+        if (echoes_) echoes_->add_partner(&stencil);
         add(value, exact, stays);
     }
 
@@ -218,6 +220,7 @@ class PositionCodes {
     void copy(Id of) {
         const Point3 value = values_[of];
         sizes_.push_nothing();
+        if (echoes_) echoes_->add_partner(nullptr);
         add(value, keeps_exact_ ? exact_[of] : Point3{}, true);
     }
 

@@ -52,7 +52,7 @@ struct ResidualContexts {
     static constexpr ContextBlock second{size.end(), 16, 16};  // size against expected, size
     static constexpr ContextBlock escape{second.end(), 3, 2};  // axis, was the one before
     static constexpr ContextBlock escape_same{escape.end(), 3};
-    static constexpr ContextBlock echo{escape_same.end(), 24, 8};
+    static constexpr ContextBlock echo{escape_same.end(), 24, 8, 3};
     static constexpr ContextBlock same{echo.end(), 3, 4};
     static constexpr ContextBlock minus_zero{same.end(), 3, 2};
     static constexpr ContextBlock whole_zero{minus_zero.end(), 3, 2};  // is it 0, rest and all?

@@ -13,6 +13,7 @@
 #include "mesh/complex.h"
 #include "mesh/point3.h"
 #include "mesh/stencil.h"
+#include "mesh/ties.h"
 #include "walk/contexts.h"
 
 namespace ravel {
@@ -25,8 +26,7 @@ class Copies {
           near_(kind == CellKind::tet ? tet::kCopyNear : surface::kCopyNear),
           number_(kind == CellKind::tet ? tet::kCopyOf.base : surface::kCopyOf.base) {
         of_.reserve(vertices);
-        latest_.reserve(vertices);
-        ties_.reserve(2 * vertices);
+        ties_.reserve(vertices);
     }
 
     // What the new vertex v copies: the first one at its point, or kNone if it is that itself. v if
@@ -42,9 +42,9 @@ class Copies {
             last_ = of;
         }
         of_.push_back(of == v ? kNone : of);
-        latest_.push_back(kNone);
+        ties_.add_vertex();
         for (const Id n : beside)
-            if (n != kNone) tie(origin_of(n), origin_of(v));
+            if (n != kNone) ties_.tie(origin_of(n), origin_of(v));
         return of;
     }
 
@@ -58,19 +58,6 @@ class Copies {
         Id vertex = kNone;
         double distance = 0;  // squared
     };
-    // Two vertices that are beside each other; an end of a tie is 2 * its number + 0 or 1.
-    struct Tie {
-        std::array<Id, 2> end;
-        std::array<Id, 2> before;  // of either vertex the next older end, or kNone
-    };
-
-    // The corners before and behind the new one in its cell, as far as the stencil tells.
-    static std::array<Id, 2> neighbours_of(const Stencil& stencil) {
-        const Configuration c = stencil.configuration;
-        const bool both = c != Configuration::seed && c != Configuration::quad_third &&
-                          c != Configuration::polygon;
-        return {stencil.at[0], both ? stencil.at[1] : kNone};
-    }
     Id origin_of(Id v) const { return of_[v] == kNone ? v : of_[v]; }
     std::uint32_t is_copy(Id v) const { return of_[v] != kNone; }
     std::uint32_t around(const std::array<Id, 2>& beside) const {
@@ -78,14 +65,6 @@ class Copies {
         if (beside[1] == kNone) return 1 + is_copy(beside[0]);
         return 3 + is_copy(beside[0]) + is_copy(beside[1]);
     }
-    void tie(Id a, Id b) {
-        if (a == b || ties_.size() >= kNone / 2) return;
-        const auto at = static_cast<Id>(2 * ties_.size());
-        ties_.push_back({{a, b}, {latest_[a], latest_[b]}});
-        latest_[a] = at;
-        latest_[b] = at + 1;
-    }
-
     template <class Driver>
     Id code_source(Driver& driver, const Stencil& stencil, const std::array<Id, 2>& beside,
                    Id truth) {
@@ -120,17 +99,14 @@ class Copies {
         const Id p = origin_of(beside[0]), q = beside[1] == kNone ? kNone : origin_of(beside[1]);
         for (const Id n : {p, q}) {
             if (n == kNone) continue;
-            Id end = latest_[n];
-            for (std::size_t k = 0; k < kMostLooks && end != kNone; ++k) {
-                const Id v = ties_[end / 2].end[1 - end % 2];
-                end = ties_[end / 2].before[end % 2];
-                if (v == p || v == q || is_found(v)) continue;
+            ties_.each(n, kMostLooks, [&](Id v) {
+                if (v == p || v == q || is_found(v)) return;
                 const Candidate c{v, distance(v)};
                 std::size_t at = count_++;
                 for (; at > 0 && c.distance < found_[at - 1].distance; --at)
                     found_[at] = found_[at - 1];
                 found_[at] = c;
-            }
+            });
         }
         count_ = std::min(count_, kMostNear);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -161,8 +137,8 @@ class Copies {
 
     const ContextBlock copy_, near_;
     const Context number_;
-    std::vector<Id> of_, latest_;  // per vertex; its latest end of a tie
-    std::vector<Tie> ties_;
+    std::vector<Id> of_;  // per vertex
+    Ties ties_;           // of vertices that are beside each other
     std::array<Candidate, 2 * kMostLooks> found_{};
     std::size_t count_ = 0;  // of what is found
     Id last_ = 0;            // what was copied last
