@@ -247,11 +247,10 @@ BlockHead usual_counts(Index cells) {
 
 Bytes write_block_head(const BlockHead& b, CellKind kind) {
     ByteWriter out;
-    out.u8(static_cast<std::uint8_t>((b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) |
-                                     (b.has_copies ? 4 : 0) | (b.mirrored ? 8 : 0) |
-                                     (b.wants_mending ? 16 : 0) | (b.has_edge_points ? 32 : 0) |
-                                     (b.leaders_move ? 64 : 0) |
-                                     (b.has_precedents || b.by_folds ? 128 : 0)));
+    out.u8(static_cast<std::uint8_t>(
+        (b.has_border ? 1 : 0) | (b.has_flips ? 2 : 0) | (b.has_copies ? 4 : 0) |
+        (b.mirrored ? 8 : 0) | (b.wants_mending ? 16 : 0) | (b.has_edge_points ? 32 : 0) |
+        (b.leaders_move ? 64 : 0) | (b.has_precedents || b.by_folds ? 128 : 0)));
     out.varint(b.cells);
     if (kind == CellKind::polygon) {
         out.varint(b.uniform_degree);

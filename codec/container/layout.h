@@ -14,7 +14,7 @@ namespace ravel {
 
 inline constexpr std::array<std::byte, 4> kMagic{std::byte{'R'}, std::byte{'a'}, std::byte{'v'},
                                                  std::byte{'1'}};
-inline constexpr std::uint8_t kVersion = 18;
+inline constexpr std::uint8_t kVersion = 19;
 
 // In the order in which they are stored. Every file has those up to `positions`.
 enum class SectionId : std::uint8_t {

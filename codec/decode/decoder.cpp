@@ -44,7 +44,7 @@ std::uint64_t memory_of(const FileSections& file, bool steps) {
                                      (order ? 24 : 0) + (b.has_precedents ? 6 : 0);
     const std::uint64_t per_cell =
                             (order ? 192 : 80) + (steps ? 112 : 0) + (b.has_precedents ? 6 : 0),
-                        per_vertex = (order ? 780 : 724) + (b.has_copies ? 40 : 0),
+                        per_vertex = (order ? 828 : 772) + (b.has_copies ? 40 : 0),
                         per_edges = b.has_edge_points ? 168 : 0;
     return b.corners * per_corner + b.cells * (per_cell + per_edges) +
            (b.vertices + b.unused_points) * per_vertex;
@@ -126,9 +126,10 @@ Status decode_geometry(const FileSections& file, const Bytes& codes, const Bytes
                         tets ? models_of(tet::kPriors, tet::kContexts, tet::kPriorSeen)
                              : models_of(surface::kPriors, surface::kContexts, surface::kPriorSeen),
                         file.head.kind, block, needs_stencils(file.head));
-    Status status = block.by_folds ? run_walk<FoldWalk<DecodeDriver>>(driver, limits, at, out.walked)
+    Status status = block.by_folds
+                        ? run_walk<FoldWalk<DecodeDriver>>(driver, limits, at, out.walked)
                     : tets ? run_walk<TetWalk<DecodeDriver>>(driver, limits, at, out.walked)
-                         : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
+                           : run_walk<SurfaceWalk<DecodeDriver>>(driver, limits, at, out.walked);
     if (!status) return status.error();
 
     const auto starts =

@@ -16,8 +16,8 @@ struct CoursePlan {
     WalkPlan walk;
 };
 
-// Completes the format of `positions` by what the walk asks of it. `by_folds`: of tets, by FoldWalk.
-// Linear.
+// Completes the format of `positions` by what the walk asks of it. `by_folds`: of tets, by
+// FoldWalk. Linear.
 CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions,
                        bool by_folds);
 

@@ -14,8 +14,8 @@ constexpr double kHopeless = 1.02;      // where levels make more, other kinds a
 constexpr double kSurely = 0.9;         // where echoes make less, levels are no help without them
 // Of surfaces; of small ones half as much, and nothing.
 constexpr double kLevelsPrice = 0.04, kEchoesPrice = 0.01;
-// Of models for residuals, beside Rice codes: a hundredth of it is what runs of flags take more than
-// trials count.
+// Of models for residuals, beside Rice codes: a hundredth of it is what runs of flags take more
+// than trials count.
 constexpr double kModelsPrice = 0.025;
 constexpr bool kTaken = true, kRefused = false;  // as usual
 
@@ -62,7 +62,6 @@ void set_price(Proposal& proposal, double price) {
 }  // namespace
 
 Proposals::Proposals(Prospects prospects) : prospects_(std::move(prospects)) {
-    if (prospects_.surface) offer_rice(kTaken);
     offer_echoes();
     if (prospects_.surface)
         offer_levels_of_surface();
@@ -77,7 +76,7 @@ Proposals::Proposals(Prospects prospects) : prospects_(std::move(prospects)) {
             kRefused, [](const PositionFormat& f) { return f.has_follows || !f.echoes.empty(); },
             [](PositionFormat& f) { f.weights = without_triangles(f.weights); })
             .worth = 0;
-    if (prospects_.surface) offer_rice(kRefused);
+    if (prospects_.surface) offer_rice();
 }
 
 // `when`: is there anything to try? `change`: what is other than in the format kept so far.
@@ -95,11 +94,8 @@ Proposal& Proposals::offer(bool usual, const When& when, const Change& change) {
 }
 
 // Residuals take less time without models, and hardly more bytes where few of them are 0.
-void Proposals::offer_rice(bool usual) {
-    set_price(offer(
-                  usual, [](const PositionFormat& f) { return !f.has_rice; },
-                  [](PositionFormat& f) { f.has_rice = true; }),
-              -kModelsPrice);
+void Proposals::offer_rice() {
+    set_price(offer(kRefused, always, [](PositionFormat& f) { f.has_rice = true; }), -kModelsPrice);
 }
 
 void Proposals::offer_echoes() {

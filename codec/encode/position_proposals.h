@@ -36,7 +36,7 @@ class Proposals {
   private:
     template <class When, class Change>
     Proposal& offer(bool usual, const When& when, const Change& change);
-    void offer_rice(bool usual);
+    void offer_rice();
     void offer_echoes();
     void offer_levels();
     void offer_levels_of_surface();

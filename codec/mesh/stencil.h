@@ -54,8 +54,8 @@ inline Stencil stencil_of(Configuration configuration, std::initializer_list<Id>
 // The corners before and behind the new one in its cell, as far as the stencil tells.
 inline std::array<Id, 2> neighbours_of(const Stencil& stencil) {
     const Configuration c = stencil.configuration;
-    const bool both = c != Configuration::seed && c != Configuration::quad_third &&
-                      c != Configuration::polygon;
+    const bool both =
+        c != Configuration::seed && c != Configuration::quad_third && c != Configuration::polygon;
     return {stencil.at[0], both ? stencil.at[1] : kNone};
 }
 

@@ -32,39 +32,24 @@ class EchoCodes {
         partners_.add(stencil, partner, last_);
     }
 
-    // What the vertex beside the partners of the neighbours says of the new one; if there is none
-    // the nearest that any echo leads to, if there is any. The echo that served last is enough while
-    // it leads close by; after a while without any the others are looked at in turn, one a vertex;
-    // then nothing is looked at but at one vertex in two, and at last in eight.
+    // What the vertex beside the partners of the neighbours says of the new one, or, where that
+    // lies far off or there is none, the nearest one that an echo leads to, if there is any.
     Earlier find(const Stencil& stencil, const Point3& guess, const std::vector<Point3>& values,
                  const std::vector<Point3>& exact) {
-        Earlier found;
         const EchoPartners::Near tied = partners_.nearest(stencil, guess, format_.echoes, values);
         times_ = tied.times;
+        Earlier found;
+        if (tied.vertex == kNone || !(tied.distance < index_.side() / 4))
+            found = find_by_place(guess, values);
         if (tied.vertex != kNone) {
-            found.vertex = tied.vertex;
-            found.distance = tied.distance;
-            found.echo = tied.echo;
-            carry_over(found, values[found.vertex], exact);
-            return found;
+            if (found.vertex != kNone && found.distance < tied.distance / 8) {
+                times_ = 0;
+            } else {
+                found.vertex = tied.vertex;
+                found.distance = tied.distance;
+                found.echo = tied.echo;
+            }
         }
-        const std::uint64_t stride = without_ < kWeary ? 1 : without_ < kWearier ? 2 : 8;
-        if (values.size() % stride != 0) return found;
-        const auto look = [&](std::size_t e) {
-            const auto near = index_.nearest(format_.echoes[e].back(guess), values);
-            if (near.vertex == kNone || (found.vertex != kNone && near.distance >= found.distance))
-                return;
-            found.vertex = near.vertex;
-            found.distance = near.distance;
-            found.echo = e;
-        };
-        look(last_);
-        const bool close = found.vertex != kNone &&
-                           found.distance < index_.side() / ((history_ & 1) != 0 ? 4 : 16);
-        const std::size_t count = format_.echoes.size();
-        const std::size_t turn = values.size() / stride % count;
-        for (std::size_t e = 0; e < count && !close; ++e)
-            if (e != last_ && (without_ < kPatience || e == turn)) look(e);
         if (found.vertex != kNone) carry_over(found, values[found.vertex], exact);
         return found;
     }
@@ -90,6 +75,30 @@ class EchoCodes {
     // Vertices without an echo until the echoes are looked at in turn, and less and less often.
     static constexpr std::uint64_t kPatience = 8, kWeary = 64, kWearier = 256;
 
+    // The echo that served last is enough while it leads close by; after a while without any the
+    // others are looked at in turn, one a vertex; then nothing is looked at but at one vertex in
+    // two, and at last in eight.
+    Earlier find_by_place(const Point3& guess, const std::vector<Point3>& values) const {
+        Earlier found;
+        const std::uint64_t stride = without_ < kWeary ? 1 : without_ < kWearier ? 2 : 8;
+        if (values.size() % stride != 0) return found;
+        const auto look = [&](std::size_t e) {
+            const auto near = index_.nearest(format_.echoes[e].back(guess), values);
+            if (near.vertex == kNone || (found.vertex != kNone && near.distance >= found.distance))
+                return;
+            found.vertex = near.vertex;
+            found.distance = near.distance;
+            found.echo = e;
+        };
+        look(last_);
+        const bool close = found.vertex != kNone &&
+                           found.distance < index_.side() / ((history_ & 1) != 0 ? 4 : 16);
+        const std::size_t count = format_.echoes.size();
+        const std::size_t turn = values.size() / stride % count;
+        for (std::size_t e = 0; e < count && !close; ++e)
+            if (e != last_ && (without_ < kPatience || e == turn)) look(e);
+        return found;
+    }
     Context context_of(const Earlier& found) const {
         return ResidualContexts::echo.at(width_of(found.distance), history_, times_);
     }

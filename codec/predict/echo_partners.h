@@ -36,7 +36,7 @@ class EchoPartners {
 
     struct Near {
         Id vertex = kNone;
-        double distance = 0;  // the sum over the axes
+        double distance = 0;      // the sum over the axes
         std::uint32_t times = 0;  // how many partners it is tied to
         std::size_t echo = 0;
     };

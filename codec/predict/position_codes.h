@@ -357,8 +357,7 @@ class PositionCodes {
             if (!levels || !levels_.next_by(pricing, values_, axis, whole,
                                             before_of(guess, axis, value), has)) {
                 const double part = carried ? 0 : rounding_.part_of(guess.at[axis], whole);
-                const Scale scale =
-                    carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step);
+                const Scale scale = carried ? sizes_.scale_off_plane() : sizes_.scale(axis, step);
                 if (format_.has_rice)
                     rice_.code(pricing, scale, r);
                 else

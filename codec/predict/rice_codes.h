@@ -1,5 +1,5 @@
-// Residuals as Rice codes [Rice1979]: a quotient in unary, a rest as it is, one look at the bits for
-// both. How long the rest is follows the mean of what came under the same context, as in
+// Residuals as Rice codes [Rice1979]: a quotient in unary, a rest as it is, one look at the bits
+// for both. How long the rest is follows the mean of what came under the same context, as in
 // [Weinberger2000]. Larger than code_residual's codes, where most residuals are 0 by far, and much
 // faster.
 #pragma once
@@ -45,7 +45,9 @@ class RiceMeans {
 
     std::uint64_t mean_of(const Scale& scale) const { return means_[scale.kind][scale.context]; }
     // The least power of two above 11/16 of the mean.
-    static int bits_of(std::uint64_t mean) { return static_cast<int>(std::bit_width(11 * mean >> 8)); }
+    static int bits_of(std::uint64_t mean) {
+        return static_cast<int>(std::bit_width(11 * mean >> 8));
+    }
 
     // In sixteenths, of zigzag(r).
     std::array<std::array<std::uint64_t, kScales>, kSizeKinds> means_;

@@ -51,7 +51,7 @@ inline constexpr ContextBlock kFold{kLedBorder.end(), 8, 5, 3, 4};  // tets roun
                                                                     // one; times; borders
 inline constexpr ContextBlock kFoldNew{kFold.end(), 6, 4, 4, 4};  // the same tets; borders, corners
                                                                   // on borders
-inline constexpr ContextBlock kFoldNear{kFoldNew.end(), 4, 8};  // borders across; near? which?
+inline constexpr ContextBlock kFoldNear{kFoldNew.end(), 4, 8};    // borders across; near? which?
 inline constexpr ContextBlock kFoldRank{kFoldNear.end(), kNumberSteps};
 inline constexpr ContextBlock kFoldAge{kFoldRank.end(), kNumberSteps};
 inline constexpr ContextBlock kFoldBorders{kFoldAge.end(), 5, 2};  // how many; new?

@@ -145,7 +145,8 @@ class FoldWalk {
         // Nobody foresees which edge it is, so nothing branches on it.
         if (edge != kNone) {
             glue(made[edge], front_.beyond(made[edge]));
-            for (Id k = 1; k < 3; ++k) left_[left_count_++] = made[edge + k > 2 ? edge + k - 3 : edge + k];
+            for (Id k = 1; k < 3; ++k)
+                left_[left_count_++] = made[edge + k > 2 ? edge + k - 3 : edge + k];
         } else {
             for (const Id triangle : made) left_[left_count_++] = triangle;
         }
@@ -177,8 +178,7 @@ class FoldWalk {
             borders += border;
         }
         // Of as many the first; nobody foresees which.
-        const Id first =
-            2 - (std::max({4 * tets[0] + 2, 4 * tets[1] + 1, 4 * tets[2]}) & 3);
+        const Id first = 2 - (std::max({4 * tets[0] + 2, 4 * tets[1] + 1, 4 * tets[2]}) & 3);
         const Id fold = across[first];
         const Id truth = driver_.apex();
         std::uint32_t second = 0, times = 0;
@@ -210,7 +210,8 @@ class FoldWalk {
             borders += i * front_.across(gate, FrontSearch::edge_after(edge, i)).border;
         const Context near = tet::kFoldNear.at(borders);
         if (!driver_.flag(near, truth < FrontSearch::kNear)) {
-            const std::uint64_t more = driver_.number(tet::kFoldRank.base, truth - FrontSearch::kNear);
+            const std::uint64_t more =
+                driver_.number(tet::kFoldRank.base, truth - FrontSearch::kNear);
             return static_cast<Id>(
                 std::min<std::uint64_t>(more + FrontSearch::kNear, FrontSearch::kMost));
         }
@@ -301,7 +302,7 @@ class FoldWalk {
     std::vector<Id> waiting_;      // open triangles that are not to be found yet
     bool goes_on_ = false;         // through one of these
     bool failed_ = false;
-    std::array<Id, 4> left_{};     // of the new tet: triangles that met none
+    std::array<Id, 4> left_{};  // of the new tet: triangles that met none
     std::size_t left_count_ = 0;
     std::vector<std::uint8_t> on_border_;  // per vertex
 };

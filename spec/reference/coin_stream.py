@@ -138,6 +138,30 @@ class CoinStream(Models):
         self.wanted = None
         return r
 
+    def rice(self, k, value=None):
+        if value is None:
+            value = int(random.expovariate(2.0**-k * random.choice((0.05, 0.5, 1, 4))))
+        if value >> k < 16:
+            self.note_bits("0" * (value >> k) + "1")
+            self.plain(k, value & ((1 << k) - 1))
+        else:
+            over = value - (16 << k)
+            self.note_bits("0" * 16)
+            self.plain(6, width(over))
+            self.plain(width(over), over)
+        return value
+
+    def rice_residual(self, kind, context, asks, k):
+        if self.wanted is None:
+            return super().rice_residual(kind, context, asks, k)
+        z = zigzag(self.wanted)
+        self.wanted = None
+        if asks:
+            self.chosen = z == 0
+            if self.node(kind, context, 0):
+                return 0
+        return self.rice(k, z - asks) + asks
+
     def end(self):
         pass
 

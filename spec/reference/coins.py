@@ -21,6 +21,7 @@ from positions_head import BINARY, DECIMAL, GRID
 from signs import Signs
 from strip import read_strip
 from walk import GONE
+from walk_folds import MOST_RANKS, FoldWalk
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
 
@@ -62,7 +63,7 @@ class CoinWalk:
         elif name == "kDegreeRest":
             pick = random.choice((0, 1, 2, 3, 4, 9))
             pick = 2 if pick < 2 and self.gate[-1] != NONE else pick
-        elif name == "kOldFar":
+        elif name in ("kOldFar", "kFoldAge"):
             pick = self.pick_old()
         return self.stream.number(self.contexts[name], pick)
 
@@ -116,6 +117,28 @@ class CoinTet(CoinWalk, TetWalk):
         return self.vertex_count - 1 - random.choice(others) if others else None
 
 
+class CoinFold(CoinWalk, FoldWalk):
+    ending = {"kFoldBorders": True, "kFoldBorder": True, "kFoldNew": False}
+
+    pick_old = CoinTet.pick_old
+
+    def read_near(self, z, near, corners):
+        places = [i for i, v in enumerate(near) if v not in corners]
+        place = random.choice(places) if places and coin(0.7) else None
+        block = self.contexts["kFoldNear"]
+        if not self.stream.note_flag(block, (z, 0), place is not None):
+            return None
+        x = 1
+        for bit in (2, 1, 0):
+            x = 2 * x + self.stream.note_flag(block, (z, x), place >> bit & 1)
+        return x - 8
+
+    def read_rank(self, gate, known):
+        met = self.meet(gate, known, MOST_RANKS)
+        pick = random.randrange(len(met)) if met and coin(0.8) else MOST_RANKS + random.choice((0, 0, 5))
+        return self.stream.number(self.contexts["kFoldRank"], pick)
+
+
 def make_head(keeps_order):
     head = SimpleNamespace(keeps_order=keeps_order, tets=coin(0.5), wide=coin(0.5), lossless=coin(0.6))
     flags = head.tets | head.wide << 1 | head.lossless << 2 | keeps_order << 3
@@ -161,9 +184,10 @@ def make_positions_head(head):
     if head.lossless:
         p.places = random.randrange(8) if p.base == DECIMAL else random.choice((0, 3, 24, 52, -5, 1000, -1000))
         p.digits = random.choice((0, 0, 0, 3, 9 if p.base == DECIMAL else 24))
+    p.has_rice = coin(0.4)
     has_echoes = coin(0.5)
     has_rounds = p.has_along and coin(0.8)
-    fitted = random.getrandbits(18) & random.getrandbits(18) | has_rounds << 18
+    fitted = random.getrandbits(18) & random.getrandbits(18) | has_rounds << 18 | p.has_rice << 19
     flags = p.has_follows | p.has_along << 1 | p.has_escapes << 2 | p.has_minus_zero << 3
     out = bytes([flags | p.base << 4 | has_echoes << 6 | p.has_levels << 7]) + varint(fitted)
     if head.lossless:
@@ -216,10 +240,11 @@ def make_file(seed, rides=False):
     block = SimpleNamespace(
         has_border=coin(0.8), has_flips=coin(0.3), has_copies=coin(0.5), mirrored=head.tets and coin(0.3),
         leaders_move=head.tets and coin(0.3), has_precedents=has_precedents,
+        by_folds=head.tets and coin(0.4),
         edge_points=edge_points, cells=2**31, corners=2**31, vertices=points, unused_points=0, uniform_degree=4)
     if head.tets:
         block.grid_side = random.choice((1, 1, 2, 5, 30, 1000, 2**52))
-        block.grid_count = [random.choice((1, 2, 4, 5, 13)) for _ in range(3)]
+        block.grid_count = [1 if block.by_folds else random.choice((1, 2, 4, 5, 13)) for _ in range(3)]
         # steps of many sizes: gates are seldom of one shape if it is small, nearly all are if it is large
         block.shape_step = random.choice((0, 0, 8, 60, 1000, 2**20, 2**52))
         if block.shape_step:
@@ -231,7 +256,8 @@ def make_file(seed, rides=False):
     chances = {"kLed": random.choice((0.2, 0.6, 0.9, -1)), "kPrecedent": random.choice((0.5, 0.8, 0.95, -1))}
     if along:
         chances.update(kBorder=random.choice((0.15, 0.3)), kLowest=0.3, kNew=0.8, kNear=0, kLed=0.2)
-        chances["kLedBorder"] = chances["kBorder"]
+        chances["kLedBorder"] = chances["kFoldBorder"] = chances["kBorder"]
+        chances.update(kFold=0.3, kFoldNew=0.8)
     stream = CoinStream("tet" if head.tets else "surface", chances)
     if alike:
         stream.moods = (0.01, 0.99)
@@ -241,7 +267,8 @@ def make_file(seed, rides=False):
         chances[name] = random.choice((0.3, 0.6, 0.9, -1))
     positions_stream = CoinStream("positions", chances)
     positions = CoinPositions(head, block, p, positions_stream)
-    walk = (CoinTet if head.tets else CoinSurface)(head, block, stream, positions)
+    kind_of_walk = CoinSurface if not head.tets else CoinFold if block.by_folds else CoinTet
+    walk = kind_of_walk(head, block, stream, positions)
     if block.has_precedents:
         stream.precedents = CoinPrecedents(stream, block)
     # each tet brings some edges, whose points are to fit into H too
@@ -296,7 +323,7 @@ def with_attributes(fields, attributes):
 def make_block(head, block):
     """3.3; fields with their usual values are told, too, now and then."""
     flags = block.has_border | block.has_flips << 1 | block.has_copies << 2 | block.mirrored << 3
-    flags |= block.edge_points << 5 | block.leaders_move << 6 | block.has_precedents << 7
+    flags |= block.edge_points << 5 | block.leaders_move << 6 | (block.has_precedents or block.by_folds) << 7
     out = bytes([flags]) + varint(block.cells)
     if not head.tets:
         out += varint(block.uniform_degree)
@@ -315,7 +342,9 @@ def make_block(head, block):
             fields += varint(value)
     out += bytes([told]) + fields
     if head.tets:
-        out += b"".join(varint(x) for x in (block.grid_side, *block.grid_count))
+        out += varint(block.grid_side)
+        if not block.by_folds:
+            out += b"".join(varint(n) for n in block.grid_count)
     return out
 
 

@@ -7,7 +7,7 @@ import zstd
 from conventions import Bytes, crc32c
 from errors import Invalid, require
 
-VERSION = 18
+VERSION = 19
 
 # in the order in which they come, those that need not be there also in that of the bits of `sections`
 ALWAYS = HEAD, BLOCK, CONNECTIVITY, POSITIONS = "head", "block", "connectivity", "positions"
@@ -167,12 +167,12 @@ def read_block(data, tets):
         mirrored=bool(flags & 8),
         edge_points=bool(flags & 32),
         leaders_move=bool(flags & 64),
-        has_precedents=bool(flags & 128),
+        has_precedents=bool(flags & 128) and not tets,
+        by_folds=bool(flags & 128) and tets,
     )
     require(tets or not b.mirrored, "mirrored polygons")
     require(tets or not b.edge_points, "edge_points of polygons")
     require(tets or not b.leaders_move, "leaders_move of polygons")
-    require(not (tets and b.has_precedents), "has_precedents of tets")
     b.cells = bytes.varint()
     require(b.cells < (357913941 if tets else most), "cells")
     if tets:
@@ -201,7 +201,7 @@ def read_block(data, tets):
         require(b.shape_step <= 2**52, "shape_step")
         b.grid_side = bytes.varint()
         require(1 <= b.grid_side <= 2**52, "grid_side")
-        b.grid_count = [bytes.varint() for _ in range(3)]
+        b.grid_count = [1 if b.by_folds else bytes.varint() for _ in range(3)]
         require(all(1 <= n < 2**32 for n in b.grid_count), "grid_count")
         blocks = math.prod((n + 3) // 4 for n in b.grid_count)
         require(blocks <= b.vertices // 4 + 64, "grid_count: too many blocks of cubes")
@@ -216,9 +216,9 @@ def usual_components(block):
 
 def check_memory(head, block, sections, limit):
     """15: what the code beside the specification may take. This decoder takes more."""
-    P, Q, V = (100 if head.tets else 52), 80, 724
+    P, Q, V = (100 if head.tets else 52), 80, 772
     if head.keeps_order:
-        P, Q, V = P + 24, 192, 780
+        P, Q, V = P + 24, 192, 828
     if block.edge_points:
         Q += 168
     if block.has_precedents:

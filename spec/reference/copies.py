@@ -2,18 +2,16 @@
 
 from conventions import MASK64, NONE, dot, minus, plus, unzigzag
 from errors import require
+from ties import Ties, neighbours_of
 
 TIES_LOOKED_AT = 12
 NEAREST = 8
-MOST_TIES = 2**31 - 1
-ONE_NEIGHBOUR = ("seed", "quad_third", "polygon")
 
 
 class Copies:
     def __init__(self, walk):
         self.walk = walk
-        self.ends = {}  # per vertex the other ends of its ties, the latest last
-        self.ties = 0
+        self.ties = Ties()
         self.was_copy = 0
         self.last = 0
 
@@ -24,7 +22,7 @@ class Copies:
     def read(self, v, configuration, stencil):
         """The source of the new vertex v; NONE: it is no copy."""
         p = (stencil + [NONE] * 3)[:3]
-        neighbours = [u for u in (p[:1] if configuration in ONE_NEIGHBOUR else p[:2]) if u != NONE]
+        neighbours = neighbours_of(configuration, p)
         # 1
         source = NONE
         self.was_copy = self.walk.flag("kCopy", self.was_copy, self.around(neighbours))
@@ -32,7 +30,7 @@ class Copies:
             source = self.last = self.read_source(v, configuration, p, neighbours)
         # 5
         for n in neighbours:
-            self.tie(self.origin(n), v if source == NONE else source)
+            self.ties.tie(self.origin(n), v if source == NONE else source)
         return source
 
     def around(self, neighbours):
@@ -75,7 +73,7 @@ class Copies:
         origins = [self.origin(n) for n in neighbours]
         found = []
         for n in origins:
-            for u in reversed(self.ends.get(n, [])[-TIES_LOOKED_AT:]):
+            for u in self.ties.latest(n, TIES_LOOKED_AT):
                 if u not in origins and u not in found:
                     found.append(u)
         # sort keeps what is equal in the order it came
@@ -85,10 +83,3 @@ class Copies:
             if u != NONE and self.origin(u) not in found:
                 found.append(self.origin(u))
         return found
-
-    def tie(self, a, b):
-        if a == b or self.ties == MOST_TIES:
-            return
-        self.ties += 1
-        self.ends.setdefault(a, []).append(b)
-        self.ends.setdefault(b, []).append(a)

@@ -3,8 +3,14 @@
 import math
 
 from conventions import MASK64, NONE, clamp, scale, width
+from ties import Ties
 
 MOST_LOOKED_AT = 24
+TIES_LOOKED_AT = 8
+
+
+def distance(p, q):
+    return abs(q[0] - p[0]) + abs(q[1] - p[1]) + abs(q[2] - p[2])
 
 
 def slots(block):
@@ -54,6 +60,9 @@ class Echoes:
         self.last = 0
         self.history = 0
         self.without = 0
+        self.partner = {}  # per vertex that is echoed: (vertex, e)
+        self.taken = set()
+        self.ties = Ties()
 
     def half(self, x):
         return math.floor(clamp(x * self.halves, -(2.0**60), 2.0**60))
@@ -77,15 +86,63 @@ class Echoes:
         found = NONE
         for vertices in cubes.about(half):
             for v in vertices[: -MOST_LOOKED_AT - 1 : -1]:
-                q = self.positions.value[v]
-                sum = abs(q[0] - p[0]) + abs(q[1] - p[1]) + abs(q[2] - p[2])
-                if sum < d:
-                    d = sum
+                at = distance(p, self.positions.value[v])
+                if at < d:
+                    d = at
                     found = v
         return found, d
 
-    def look_for(self, v, guess):
-        """1, 2: (vertex, d, e), or None if there is no echo for vertex v."""
+    def back(self, e, guess):
+        """Where the guess would come from."""
+        mirrored, offset = self.echoes[e]
+        return [
+            float(offset[k]) - guess[k] if mirrored >> k & 1 else guess[k] - float(offset[k]) for k in range(3)
+        ]
+
+    def tied(self, guess, neighbours):
+        """1: (vertex, d, e, times), or None."""
+        partners = [self.partner[n] for n in neighbours if n in self.partner]
+        if not partners:
+            return None
+        e = partners[0][1]
+        partners = [u for u, echo in partners if echo == e]
+        p = self.back(e, guess)
+        best = None
+        firsts = []
+        for i, partner in enumerate(partners):
+            for w in self.ties.latest(partner, TIES_LOOKED_AT):
+                if w in self.taken or w in partners:
+                    continue
+                times = 1
+                if i == 0:
+                    firsts.append(w)
+                else:
+                    times += firsts.count(w)
+                d = distance(p, self.positions.value[w])
+                if best is None or (-times, d) < (-best[3], best[1]):
+                    best = w, d, e, times
+        return best
+
+    def find(self, v, guess, neighbours):
+        """1 - 3: (vertex, d, e, times), or None if there is no echo for vertex v."""
+        tied = self.tied(guess, neighbours)
+        if tied and tied[1] < self.side / 4:
+            return tied
+        placed = self.look_by_place(v, guess)
+        if tied and not (placed and placed[1] < tied[1] / 8):
+            return tied
+        return placed and (*placed, 0)
+
+    def pair(self, v, echo, neighbours):
+        """After each vertex that is neither a copy nor of the configuration `edge`."""
+        if echo:
+            self.partner[v] = echo
+            self.taken.add(echo[0])
+        for n in neighbours:
+            self.ties.tie(v, n)
+
+    def look_by_place(self, v, guess):
+        """2: (vertex, d, e), or None."""
         stride = 1 if self.without < 64 else 2 if self.without < 256 else 8
         if v % stride:
             return None
@@ -94,12 +151,7 @@ class Echoes:
 
         def look(e):
             nonlocal best
-            mirrored, offset = self.echoes[e]
-            p = [
-                float(offset[k]) - guess[k] if mirrored >> k & 1 else guess[k] - float(offset[k])
-                for k in range(3)
-            ]
-            found, d = self.nearest(p)
+            found, d = self.nearest(self.back(e, guess))
             if found != NONE and (best is None or d < best[1]):
                 best = found, d, e
 
@@ -110,13 +162,13 @@ class Echoes:
                     look(e)
         return best
 
-    def read(self, v, guess):
+    def read(self, v, guess, neighbours):
         """8.4 step 3: (vertex, e) if vertex v is echoed, otherwise None."""
-        best = self.look_for(v, guess)
+        best = self.find(v, guess, neighbours)
         echoed = False
         if best:
-            found, d, e = best
-            echoed = self.positions.flag("echo", width(math.trunc(d)), self.history)
+            found, d, e, times = best
+            echoed = self.positions.flag("echo", width(math.trunc(d)), self.history, times)
             self.history = (self.history * 2 + echoed) % 8
             if echoed:
                 self.last = e

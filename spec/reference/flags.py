@@ -155,6 +155,21 @@ class Models:
             n += 1
         return 2 ** (n - 1) + self.plain(n - 1) - 1
 
+    def rice(self, k):
+        """4.3"""
+        q = 0
+        while q < 16 and not self.plain(1):
+            q += 1
+        if q == 16:
+            return (16 << k) + self.plain(self.plain(6))
+        return (q << k) + self.plain(k)
+
+    def rice_residual(self, kind, context, asks, k):
+        """8.6: z"""
+        if asks and self.node(kind, context, 0):
+            return 0
+        return self.rice(k) + asks
+
     def node(self, kind, context, n):
         """8.6: the flag at node n."""
         if kind == 0 or context >= 64:

@@ -14,23 +14,23 @@ TINY = (
 
 def every():
     for name in TINY:
-        yield "tiny:" + name, "vtk", ["", "--position-bits 8"]
+        yield "tiny:" + name, "vtk", ["", "--position-bits 8", "--fast"]
     for recipe in SURFACES:
-        yield recipe, "vtk", ["", "--position-bits 14"]
+        yield recipe, "vtk", ["", "--position-bits 14", "--fast --position-bits 12"]
     for recipe in TETS:
-        yield recipe, "vtk", ["", "--position-bits 14"]
+        yield recipe, "vtk", ["", "--position-bits 14", "--fast", "--fast --position-bits 12"]
     for recipe in ROUND_TETS:
         yield recipe, "vtk", ["", "--position-bits 9", "--position-bits 14"]
         yield recipe + ",double", "vtk", ["", "--float32", "--max-error 0.001"]
     yield "soup:polygons=120,seed=1", "vtk", ["", "--float32", "--lattice 2^-10", "--max-error 0.01"]
     yield "soup:polygons=120,seed=2,double", "vtk", ["", "--float32", "--lattice 2^-10", "--position-bits 1"]
-    yield "soup:tets=120,seed=1", "vtk", ["", "--float32", "--lattice 2^-10", "--max-error 0.01"]
+    yield "soup:tets=120,seed=1", "vtk", ["", "--fast", "--float32", "--lattice 2^-10", "--max-error 0.01"]
     yield "soup:tets=120,seed=2,double", "vtk", ["", "--float32", "--lattice 2^-10", "--position-bits 30"]
     yield decimals, "vtk", [""]
     yield decimal_tets, "vtk", [""]
     yield crowded, "vtk", ["", "--position-bits 14"]
     yield shaken, "vtk", ["", "--lattice 1"]
-    yield wild, "vtk", ["", "--position-bits 10"]
+    yield wild, "vtk", ["", "--fast --position-bits 30", "--position-bits 10"]
     yield two_alike, "vtk", ["", "--position-bits 12"]
     yield books, "vtk", ["", "--position-bits 9"]
     yield late_image, "vtk", ["--position-bits 12"]

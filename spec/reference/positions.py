@@ -11,8 +11,10 @@ from followers import Followers
 from guesses import NUMBER
 from levels import Levels
 from positions_head import BINARY, DECIMAL, GRID
+from rice import RiceMeans
 from signs import Signs, sign_of
 from sizes import MOST32, FollowerSizes, Sizes, scale_of
+from ties import neighbours_of
 
 
 class Positions:
@@ -36,6 +38,8 @@ class Positions:
         self.coordinate = []
         self.escaped_bits = {}  # by vertex and axis
         self.sizes = Sizes(stream, guesses.KINDS, self.start(head))
+        if p.has_rice:
+            self.sizes.rice = RiceMeans(stream)
         self.signs = Signs(stream)
         self.echoes = Echoes(block, p, self) if p.echoes else None
         self.followers = Followers(block, self) if p.has_follows else None
@@ -125,6 +129,7 @@ class Positions:
     def read(self, configuration, stencil, borders=(), variant=0):
         stencil = stencil + [NONE] * (guesses.PLACES - len(stencil))
         v = len(self.value)
+        beside = neighbours_of(configuration, stencil)
         sizes = self.sizes
         on_edge = configuration == "edge"
         near = stencil[2:5] if on_edge else stencil[:3]
@@ -147,7 +152,7 @@ class Positions:
         # 3
         echo = None
         if self.echoes and not follows and not on_edge:
-            echo = self.echoes.read(v, guess)
+            echo = self.echoes.read(v, guess, beside)
             if echo:
                 said = [self.echoes.says(*echo, k, self.M) for k in range(3)]
                 whole_said, value_said, coordinate_said = zip(*said)
@@ -181,8 +186,8 @@ class Positions:
             if all_same is not None:
                 same[k] = all_same or self.read_same(k, follows, same)
             elif not follows and self.levels and not on_edge:
-                beside = value[k - 1] if k > 0 else None
-                level = self.levels.read(configuration, stencil, k, w[k], beside)
+                before = value[k - 1] if k > 0 else None
+                level = self.levels.read(configuration, stencil, k, w[k], before)
                 same[k] = level is not None
             # 6.2
             if same[k]:
@@ -220,6 +225,8 @@ class Positions:
             self.follower_sizes.keep()
         self.signs.keep(signs)
         stays = all(same) and bool(repeats if follows else echo and self.echoes.stays(echo[1]))
+        if self.echoes and not on_edge:
+            self.echoes.pair(v, echo, beside)
         self.add(tuple(value), tuple(coordinate), stays)
         if self.followers:
             if on_edge:

@@ -26,8 +26,9 @@ def read_positions_head(data, head):
     require(p.base != 3 and (p.base == GRID) == (not head.lossless), "base")
     require(head.lossless or not p.has_minus_zero, "has_minus_zero of a grid")
     fitted = bytes.varint()
-    has_rounds = bool(fitted >> 18)
-    require(fitted < 2**19 and (p.has_along or not has_rounds), "fitted")
+    has_rounds = bool(fitted >> 18 & 1)
+    p.has_rice = bool(fitted >> 19 & 1)
+    require(fitted < 2**20 and (p.has_along or not has_rounds), "fitted")
     if head.lossless:
         p.places = bytes.zigzag()
         p.digits = bytes.u8()

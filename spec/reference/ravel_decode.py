@@ -21,6 +21,7 @@ from positions import Positions
 from positions_head import read_positions_head
 from shape import Shape
 from strip import read_strip
+from walk_folds import FoldWalk
 from walk_surface import SurfaceWalk
 from walk_tet import TetWalk
 
@@ -41,7 +42,8 @@ def decode(data, with_strip=True, limit=math.inf):
     positions_head = read_positions_head(sections[POSITIONS], head)
     positions = Positions(head, block, positions_head, Stream(positions_head.bits, "positions"))
     stream = Stream(sections[CONNECTIVITY], "tet" if head.tets else "surface")
-    walk = (TetWalk if head.tets else SurfaceWalk)(head, block, stream, positions)
+    kind_of_walk = SurfaceWalk if not head.tets else FoldWalk if block.by_folds else TetWalk
+    walk = kind_of_walk(head, block, stream, positions)
     walk.run()
     # 9
     mesh = build_mesh(head, block, walk)

@@ -33,6 +33,7 @@ class Sizes:
             self.usual[configuration, variant] = 16 * start
         self.magnitudes = {}
         self.tells = {}
+        self.rice = None  # the means of Rice codes, where residuals are such
 
     def begin(self, near, configuration, variant=0, order=(0, 1, 2)):
         """`near`: up to three elements that have magnitudes; `order`: in which slots are read."""
@@ -63,6 +64,8 @@ class Sizes:
         """A residual of slot k, under its scale or by that off a plane; `sign` as for streams."""
         scale = scale_of(self.e(k) if e is None else e)
         kind = self.kinds[self.configuration] if e is None else OFF_A_PLANE
+        if self.rice:
+            return self.note(k, self.rice.residual(scale[0], kind))
         return self.note(k, self.stream.residual(*scale, kind, sign))
 
     def residual_under(self, k, context, differs):

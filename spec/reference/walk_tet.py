@@ -24,7 +24,7 @@ class TetWalk(Walk):
         self.grid = Grid(block)
         self.open_facets = {}  # by their vertices, for 7.7
         self.places = []
-        self.shapes = Shapes(self) if block.shape_step > 0 else None
+        self.shapes = Shapes(self) if block.shape_step > 0 and not block.by_folds else None
 
     # 7.1
 
@@ -100,8 +100,7 @@ class TetWalk(Walk):
             pair(3, 0, 0, 2, 1)
             pair(3, 1, 2, 2, 1)
             pair(3, 2, 1, 2, 1)
-            for i in range(4):
-                self.make_front(base + i, "fresh")
+            self.join_seed(base)
             return
         # 1
         corners = self.triple(gate)
@@ -109,7 +108,7 @@ class TetWalk(Walk):
         # 2
         shape = Gate(self.shapes, gate, corners) if self.shapes else None
         told = shape.read() if shape else None
-        kind, apex = told or Apex(self, gate, corners).read()
+        kind, apex = told or self.read_apex(gate, corners)
         if kind == "fresh":
             stencil = [*corners, self.vertex[gate], *(self.apex_across(gate, e) for e in range(3))]
             if told:
@@ -139,6 +138,16 @@ class TetWalk(Walk):
         for k in range(3):
             pair(k, 0, (k + 1) % 3, 1, 1)
         # 6
+        self.join_cell(base, kind)
+
+    def read_apex(self, gate, corners):
+        return Apex(self, gate, corners).read()
+
+    def join_seed(self, base):
+        for i in range(4):
+            self.make_front(base + i, "fresh")
+
+    def join_cell(self, base, kind):
         for i in range(3):
             self.make_front(base + i, kind)
 

@@ -28,14 +28,27 @@ inline const std::vector<NamedBlock>& surface_blocks() {
 }
 
 inline const std::vector<NamedBlock>& tet_blocks() {
-    static const std::vector<NamedBlock> blocks{
-        {"kLowest", tet::kLowest},     {"kNew", tet::kNew},
-        {"kNext", tet::kNext},         {"kNear", tet::kNear},
-        {"kNearRank", tet::kNearRank}, {"kOldFar", tet::kOldFar},
-        {"kGlue", tet::kGlue},         {"kBorder", tet::kBorder},
-        {"kFlip", tet::kFlip},         {"kCopy", tet::kCopy},
-        {"kCopyNear", tet::kCopyNear}, {"kCopyOf", tet::kCopyOf},
-        {"kLed", tet::kLed},           {"kLedBorder", tet::kLedBorder}};
+    static const std::vector<NamedBlock> blocks{{"kLowest", tet::kLowest},
+                                                {"kNew", tet::kNew},
+                                                {"kNext", tet::kNext},
+                                                {"kNear", tet::kNear},
+                                                {"kNearRank", tet::kNearRank},
+                                                {"kOldFar", tet::kOldFar},
+                                                {"kGlue", tet::kGlue},
+                                                {"kBorder", tet::kBorder},
+                                                {"kFlip", tet::kFlip},
+                                                {"kCopy", tet::kCopy},
+                                                {"kCopyNear", tet::kCopyNear},
+                                                {"kCopyOf", tet::kCopyOf},
+                                                {"kLed", tet::kLed},
+                                                {"kLedBorder", tet::kLedBorder},
+                                                {"kFold", tet::kFold},
+                                                {"kFoldNew", tet::kFoldNew},
+                                                {"kFoldNear", tet::kFoldNear},
+                                                {"kFoldRank", tet::kFoldRank},
+                                                {"kFoldAge", tet::kFoldAge},
+                                                {"kFoldBorders", tet::kFoldBorders},
+                                                {"kFoldBorder", tet::kFoldBorder}};
     return blocks;
 }
 

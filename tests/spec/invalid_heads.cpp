@@ -64,7 +64,6 @@ void InvalidMaker::heads() {
             for (AttributeHead& a : h.attributes)
                 if (!is_float(a.scalar)) a.bound = 1;
         }));
-    add(19, "precedents", "has_precedents with tets", flags("tet", SectionId::block, 128));
     add(19, "leaders-move", "leaders_move with polygons", flags("two-quads", SectionId::block, 64));
     add(19, "edge-points", "edge_points with polygons", flags("two-quads", SectionId::block, 32));
     add(19, "mirrored", "mirrored with polygons", flags("two-quads", SectionId::block, 8));

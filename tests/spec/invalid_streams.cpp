@@ -78,6 +78,31 @@ void InvalidMaker::walks() {
         with_twisted_walk(valid("box"), apex(false, [](const Question& q) {
                               return std::uint64_t{q.walked.vertex_count};
                           })));
+    // Neither across an edge nor new nor near.
+    const auto fold = [](std::uint64_t rank, auto age) {
+        return Twist{[=](const Question& q) -> Flag {
+                         if (q.walked.cell_count() < 2) return {};
+                         if (q.block == "kFold" || q.block == "kFoldNew" || q.block == "kFoldNear")
+                             return false;
+                         return {};
+                     },
+                     [=](const Question& q) -> Number {
+                         if (q.block == "kFoldRank") return rank;
+                         if (q.block == "kFoldAge") return age(q);
+                         return {};
+                     }};
+    };
+    const auto oldest = [](const Question& q) { return std::uint64_t{q.walked.vertex_count}; };
+    add(35, "fold-gate", "by folds, the apex is corner 0",
+        with_twisted_walk(valid("folds"), fold(247, [](const Question& q) {
+                              const Id corner =
+                                  q.walked.vertex[q.walked.begin(q.walked.cell_count() - 1)];
+                              return std::uint64_t{q.walked.vertex_count - 1 - corner};
+                          })));
+    add(36, "fold-rank", "by folds, more vertices than the search meets",
+        with_twisted_walk(valid("folds"), fold(246, oldest)));
+    add(37, "fold-age", "by folds, an apex older than vertex 0",
+        with_twisted_walk(valid("folds"), fold(247, oldest)));
 }
 
 void InvalidMaker::positions() {
@@ -149,11 +174,11 @@ void InvalidMaker::positions() {
     weight("weight", "a weight of 32768", 0, 32768);
     weight("grain-weight", "a weight of 512 times 64", 6, 512);
     weight("grain", "grain is 16", 16, 0);
-    add(41, "fitted", "fitted is 2^19",
+    add(41, "fitted", "fitted is 2^20",
         raw_changed("two-quads", SectionId::positions, [](Bytes& raw) {
             ByteWriter out;
             out.u8(0);
-            out.varint(2 * kHasRounds);
+            out.varint(2 * kHasRice);
             out.raw(std::span(raw).subspan(2));
             raw = out.take();
         }));

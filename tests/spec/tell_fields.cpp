@@ -129,6 +129,7 @@ PositionFormat tell_position_head(Fields& f, const Head& head, const BlockHead& 
             format.weights[c][i] =
                 static_cast<std::int16_t>(f.signed_varint("weight") * (std::int64_t{1} << grain));
     }
+    format.has_rice = (fitted & kHasRice) != 0;
     if ((fitted & kHasRounds) != 0) tell_round_faces(f, format);
     format.has_stand_ins = head.lossless && head.kind == CellKind::tet;
     if (format.has_stand_ins) {

@@ -12,6 +12,7 @@
 #include "spec/context_names.h"
 #include "spec/tell_fields.h"
 #include "walk/copies.h"
+#include "walk/fold_walk.h"
 #include "walk/precedents.h"
 #include "walk/priors.h"
 #include "walk/surface_walk.h"
@@ -90,6 +91,13 @@ class Stream {
                           ")  " + bits_ + "  " + std::to_string(value));
         return value;
     }
+    std::uint64_t rice(int count) {
+        std::uint64_t zeros = 0;
+        while (zeros < kRiceEscape && plain(1) == 0) ++zeros;
+        const std::uint64_t quotient = zeros << count;
+        if (zeros == kRiceEscape) return quotient + plain(static_cast<int>(plain(6)));
+        return quotient + plain(count);
+    }
     bool exhausted() const { return at_ > 8 * bytes_.size(); }
     // Fewer than eight bits are left, all of them 0.
     bool finished() {
@@ -138,6 +146,7 @@ struct TraceCoder {
     Stream& in;
     bool flag(Context context, bool) { return in.flag(context); }
     std::uint64_t plain(std::uint64_t, int count) { return in.plain(count); }
+    std::uint64_t rice(std::uint64_t, int count) { return in.rice(count); }
 };
 
 constexpr const char* kConfigurationName[] = {
@@ -231,6 +240,7 @@ class TraceDriver {
     Id apex() const { return kNone; }
     bool is_new_near(const Point3&, double) const { return false; }
     bool glues(Id) const { return false; }
+    bool meets(Id) const { return true; }
     bool border(Id) const { return false; }
 
     const Walked* walked = nullptr;
@@ -288,8 +298,9 @@ std::string tell_walk(const Head& head, const BlockHead& block, const Bytes& con
     limits.shape_step = static_cast<double>(block.shape_step);
     limits.plausible = 1 << 20;
     TraceDriver driver(codes, positions, block, tets, telling);
-    if (!(tets ? run<TetWalk<TraceDriver>>(driver, limits)
-               : run<SurfaceWalk<TraceDriver>>(driver, limits)))
+    if (!(!tets            ? run<SurfaceWalk<TraceDriver>>(driver, limits)
+          : block.by_folds ? run<FoldWalk<TraceDriver>>(driver, limits)
+                           : run<TetWalk<TraceDriver>>(driver, limits)))
         return "the walk fails";
     const EdgePoints edges = driver.edges();
     for (Index i = 0; i < block.unused_points; ++i) {

@@ -9,6 +9,7 @@
 #include "spec/tell_fields.h"
 #include "support/file_parts.h"
 #include "walk/copies.h"
+#include "walk/fold_walk.h"
 #include "walk/priors.h"
 #include "walk/surface_walk.h"
 #include "walk/tet_walk.h"
@@ -117,6 +118,7 @@ class TwistDriver {
     Id apex() const { return kNone; }
     bool is_new_near(const Point3&, double) const { return false; }
     bool glues(Id) const { return false; }
+    bool meets(Id) const { return true; }
     bool border(Id) const { return false; }
 
     Bytes codes() const { return out_.finish(); }
@@ -174,6 +176,10 @@ struct ForcingCoder {
         out.plain(truth, count);
         return count == 0 ? 0 : truth & (~std::uint64_t{0} >> (64 - count));
     }
+    std::uint64_t rice(std::uint64_t truth, int count) {
+        out.rice(truth, count);
+        return truth;
+    }
 };
 
 }  // namespace
@@ -193,8 +199,9 @@ Bytes with_twisted_walk(const Bytes& file, const Twist& twist) {
     limits.mirrored = o.block.mirrored;
     limits.leaders_move = o.block.leaders_move;
     limits.plausible = 1 << 20;
-    if (o.head.kind == CellKind::tet ? goes_through<TetWalk<TwistDriver>>(driver, limits)
-                                     : goes_through<SurfaceWalk<TwistDriver>>(driver, limits))
+    if (o.block.by_folds               ? goes_through<FoldWalk<TwistDriver>>(driver, limits)
+        : o.head.kind == CellKind::tet ? goes_through<TetWalk<TwistDriver>>(driver, limits)
+                                       : goes_through<SurfaceWalk<TwistDriver>>(driver, limits))
         throw std::runtime_error("a twisted walk goes through");
     if (!driver.twisted()) throw std::runtime_error("a walk that was not twisted fails");
     return with_section(file, SectionId::connectivity, [&](Bytes& raw) { raw = driver.codes(); });

@@ -29,6 +29,26 @@ Mesh with_coordinates(Mesh mesh, const Change& change) {
     return mesh;
 }
 
+// A rod of so many cubes along the first axis, bent round; its ends meet.
+Mesh ring_of(std::size_t cubes) {
+    Mesh mesh = with_coordinates(made("tets:box=" + std::to_string(cubes) + "x1x1"),
+                                 [](std::size_t, double x) { return x; });
+    const auto x = mesh.positions.as<double>();
+    for (std::size_t p = 0; p < mesh.point_count(); ++p) {
+        // Round a square, so that no machine's sine matters.
+        const double turn = 4 * x[3 * p] / double(cubes), far = 8 + x[3 * p + 1];
+        const double along = far * (2 * (turn - std::floor(turn)) - 1);
+        const int side = static_cast<int>(turn) % 4;
+        x[3 * p] = side == 0 ? along : side == 1 ? far : side == 2 ? -along : -far;
+        x[3 * p + 1] = side == 0 ? -far : side == 1 ? along : side == 2 ? far : -along;
+    }
+    // Points are in the order of their first use: 0, 2, 4, 6 are at the start, the last four at the
+    // end.
+    const Index end = mesh.point_count() - 4;
+    for (Index& p : mesh.corners) p = p < end ? p : 2 * (p - end);
+    return mesh;
+}
+
 Mesh polygon_of(std::size_t corners) {
     Mesh mesh;
     mesh.positions = make_array(Scalar::f32, 3, corners);
@@ -80,7 +100,7 @@ std::vector<ValidFile> valid_files() {
             EncodeOptions options;
             options.lattice = 1;
             options.float32 = true;
-            options.fast = true;  // no levels
+            options.fast = true;  // Rice codes, no levels
             return options;
         }());
     add("polygon-of-11", "kDegreeRest is not asked for where all degrees are equal",
@@ -173,6 +193,14 @@ std::vector<ValidFile> valid_files() {
     add_made("order", "a kept order of points, cells and corners", "torus:size=5x4,shuffle",
              ordered);
     add_made("tet", "one tet, lossless", "tiny:tet");
+    EncodeOptions fast = bits(9);
+    fast.fast = true;
+    add_made("folds", "tets by folds, residuals as Rice codes", "tets:box=3x3x3,jitter=0.2", fast);
+    add_made("folds-apart", "tets by folds, with flips and several components",
+             "tets:box=2x2x2,copies=2,shuffle", fast);
+    add("folds-ring", "by folds, a ring whose ends meet: an apex by its age", ring_of(60), fast);
+    add_made("rice", "a rough sheet whose residuals are Rice codes", "grid:size=9x8,jitter=0.3",
+             fast);
     add_made("two-tets", "two tets", "tiny:two-tets");
     add_made("tets-on-one-face", "three tets at one facet: copies, flips", "tiny:tets-on-one-face");
     Mesh turned = made("tiny:two-tets");
