@@ -73,7 +73,7 @@ std::vector<FlagModel> walk_models(CellKind kind) {
 }
 
 CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions,
-                       bool by_folds) {
+                       bool may_fold) {
     CoursePlan plan;
     WalkLimits& limits = plan.limits = limits_of(complex);
     BlockHead& block = plan.block;
@@ -100,8 +100,9 @@ CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& p
     limits.grid_side = static_cast<double>(block.grid_side);
     limits.grid_count = block.grid_count;
     limits.mirrored = positions.format.mirrored = block.mirrored;
-    block.by_folds = by_folds;
-    if (!by_folds) choose_leaders(complex, plan);
+    choose_leaders(complex, plan);
+    // Where tets repeat, leaders tell next to everything.
+    block.by_folds = may_fold && block.shape_step == 0;
     positions.format.leaders_move = block.leaders_move;
     positions.format.usual_start = usual_start_of(positions.format, limits.grid_side);
     return plan;

@@ -16,10 +16,10 @@ struct CoursePlan {
     WalkPlan walk;
 };
 
-// Completes the format of `positions` by what the walk asks of it. `by_folds`: of tets, by
-// FoldWalk. Linear.
+// Completes the format of `positions` by what the walk asks of it. `may_fold`: tets that do not
+// repeat are walked by FoldWalk. Linear.
 CoursePlan plan_course(const Mesh& mesh, const Complex& complex, PositionPlan& positions,
-                       bool by_folds);
+                       bool may_fold);
 
 // As the walk's models begin.
 std::vector<FlagModel> walk_models(CellKind kind);

@@ -67,6 +67,14 @@ bool goes_along(const WalkRecord& record, const std::vector<Point3>& places) {
     return 4 * near > asked;
 }
 
+// Were most vertices told by leaders? Then tets repeat, and so do the levels of their vertices.
+bool is_lattice(const WalkRecord& record) {
+    const auto led = std::count_if(
+        record.stencils.begin(), record.stencils.end(),
+        [](const Stencil& stencil) { return stencil.configuration == Configuration::led; });
+    return 2 * static_cast<std::size_t>(led) > record.stencils.size();
+}
+
 bool has_triangles(const WalkRecord& record) {
     return std::any_of(record.stencils.begin(), record.stencils.end(),
                        [](const Stencil& s) { return s.configuration == Configuration::triangle; });
@@ -98,6 +106,8 @@ ChosenFormat choose_format(const CodedPositions& all, bool fast, int threads) {
     first.weights = weights(nullptr);
     if (fast) {
         first.has_rice = true;
+        first.has_levels = is_lattice(record);
+        first.level_bits = first.cube_bits;
         return {first, {}};
     }
 

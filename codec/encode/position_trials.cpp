@@ -4,6 +4,7 @@
 #include <future>
 #include <utility>
 
+#include "base/rice_code.h"
 #include "encode/position_pass.h"
 #include "encode/threads.h"
 #include "entropy/priors.h"

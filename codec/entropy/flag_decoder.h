@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/rice_code.h"
 #include "entropy/flag_model.h"
 
 namespace ravel {
@@ -78,7 +79,7 @@ class FlagDecoder {
         if (zeros >= kRiceEscape) {
             take(kRiceEscape);
             const auto more = static_cast<int>(bits(6));
-            return (std::uint64_t{kRiceEscape} << count) + plain(more);
+            return first_escaped(count) + plain(more);
         }
         take(zeros + 1);
         return static_cast<std::uint64_t>(zeros) << count | plain(count);

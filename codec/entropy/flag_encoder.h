@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/rice_code.h"
 #include "entropy/flag_model.h"
 
 namespace ravel {
@@ -42,17 +43,16 @@ class FlagEncoder {
 
     // A number whose rest has `count` bits.
     void rice(std::uint64_t value, int count) {
-        const std::uint64_t quotient = value >> count;
-        if (quotient < kRiceEscape) {
-            plain(1, static_cast<int>(quotient) + 1);
+        if (value < first_escaped(count)) {
+            plain(1, static_cast<int>(value >> count) + 1);
             plain(value, count);
-        } else {
-            const std::uint64_t over = value - (std::uint64_t{kRiceEscape} << count);
-            const auto more = static_cast<int>(std::bit_width(over));
-            plain(0, kRiceEscape);
-            plain(static_cast<std::uint64_t>(more), 6);
-            plain(over, more);
+            return;
         }
+        const std::uint64_t over = value - first_escaped(count);
+        const auto more = static_cast<int>(std::bit_width(over));
+        plain(0, kRiceEscape);
+        plain(static_cast<std::uint64_t>(more), 6);
+        plain(over, more);
     }
 
     // What an ideal coder would make of the same models, plain bits included. For reports and

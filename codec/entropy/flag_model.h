@@ -10,17 +10,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 
 namespace ravel {
 
 inline constexpr int kFlagClasses = 15;
-
-// A Rice code is the quotient as so many `0` and a `1`, then the rest; a quotient of kRiceEscape or
-// more is kRiceEscape times `0`, then in six bits how many bits more follow, and these: the number
-// less what the first such quotient stands for.
-inline constexpr int kRiceEscape = 16;
 
 // A run code of class c is `1` for kRunOf[c] flags as expected, or `0` and the length (below
 // kRunOf[c]) of the run before a miss, in truncated binary. kRunOf is the length that has even odds
@@ -60,14 +54,6 @@ struct FlagTables {
 };
 inline const FlagTables kFlagTables;
 }  // namespace detail
-
-// Bits of a Rice code.
-inline int rice_bits(std::uint64_t value, int count) {
-    const std::uint64_t quotient = value >> count;
-    if (quotient < kRiceEscape) return static_cast<int>(quotient) + 1 + count;
-    return kRiceEscape + 6 +
-           static_cast<int>(std::bit_width(value - (std::uint64_t{kRiceEscape} << count)));
-}
 
 // Two estimates of the chance of "yes" learn at once: `fast` follows the last twenty flags, `slow`
 // the last five hundred; their mean is what counts. Either's step of adaptation is 1 / (seen + 1.3)

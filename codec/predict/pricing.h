@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/context.h"
-#include "entropy/flag_model.h"
+#include "base/rice_code.h"
 
 namespace ravel {
 

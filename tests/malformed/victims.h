@@ -44,6 +44,11 @@ inline std::vector<Victim> victims() {
             all.push_back(victim(recipe, options));
     for (const EncodeOptions& options : {EncodeOptions{}, grid, ordered})
         all.push_back(victim("tets:box=1,companions", options, true));
+    EncodeOptions fast = grid;
+    fast.fast = true;
+    for (const char* recipe : {"torus:size=6x4", "tiny:tets-on-one-face",
+                               "tets:box=3x2x2,jitter=0.2", "soup:tets=12,seed=4"})
+        all.push_back(victim(recipe, fast));
     return all;
 }
 

@@ -33,7 +33,8 @@ TEST_CASE("random codes lead a walk to an error or a mesh") {
             if (part.id == SectionId::connectivity)
                 part.raw = random_bytes(random, random.below(200));
             if (part.id == SectionId::positions && random.one_in(2)) {
-                const std::size_t head = std::min<std::size_t>(part.raw.size(), 2);
+                const std::size_t head =
+                    std::min<std::size_t>(part.raw.size(), random.one_in(2) ? 2 : 4);
                 const Bytes more = random_bytes(random, random.below(500));
                 part.raw.resize(head);
                 part.raw.insert(part.raw.end(), more.begin(), more.end());
@@ -54,6 +55,7 @@ TEST_CASE("random codes under larger counts lead to an error or a mesh") {
         const auto v = test::victim(seed % 2 == 0 ? "tiny:cube" : "tiny:two-tets");
         const Bytes larger = test::with_block_head(v.file, v.kind, [&](BlockHead& b) {
             b.cells = 1 + random.below(60);
+            b.by_folds = v.kind == CellKind::tet && random.one_in(2);
             b.uniform_degree = random.one_in(2) ? 0 : 1 + random.below(6);
             b.corners = v.kind == CellKind::tet ? 4 * b.cells
                         : b.uniform_degree != 0 ? b.uniform_degree * b.cells

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/rice_code.h"
 #include "entropy/flag_model.h"
 #include "entropy/priors.h"
 #include "predict/edge_points.h"
@@ -84,19 +85,23 @@ class Stream {
     }
     std::uint64_t plain(int count) {
         bits_.clear();
-        std::uint64_t value = 0;
-        for (int i = 0; i < count; ++i) value = value << 1 | bit();
+        const std::uint64_t value = bits(count);
         if (count > 0)
             telling_.flag("    " + std::string(1, letter_) + " plain(" + std::to_string(count) +
                           ")  " + bits_ + "  " + std::to_string(value));
         return value;
     }
     std::uint64_t rice(int count) {
+        bits_.clear();
+        const int rest = count;
         std::uint64_t zeros = 0;
-        while (zeros < kRiceEscape && plain(1) == 0) ++zeros;
-        const std::uint64_t quotient = zeros << count;
-        if (zeros == kRiceEscape) return quotient + plain(static_cast<int>(plain(6)));
-        return quotient + plain(count);
+        while (zeros < kRiceEscape && bit() == 0) ++zeros;
+        std::uint64_t value = zeros << count;
+        if (zeros == kRiceEscape) count = static_cast<int>(bits(6));
+        value += bits(count);
+        telling_.flag("    " + std::string(1, letter_) + " rice(" + std::to_string(rest) + ")  " +
+                      bits_ + "  " + std::to_string(value));
+        return value;
     }
     bool exhausted() const { return at_ > 8 * bytes_.size(); }
     // Fewer than eight bits are left, all of them 0.
@@ -120,6 +125,11 @@ class Stream {
         ++at_;
         bits_ += b ? '1' : '0';
         return b;
+    }
+    std::uint64_t bits(int count) {
+        std::uint64_t value = 0;
+        for (int i = 0; i < count; ++i) value = value << 1 | bit();
+        return value;
     }
     std::uint32_t below(std::uint32_t s) {
         if (s <= 1) return 0;
