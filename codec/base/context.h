@@ -15,8 +15,8 @@ struct ContextBlock {
     std::uint32_t a = 1, b = 1, c = 1, d = 1;
 
     constexpr Context end() const { return base + a * b * c * d; }
-    [[gnu::always_inline]] constexpr Context at(std::uint32_t i, std::uint32_t j = 0,
-                                                std::uint32_t k = 0, std::uint32_t l = 0) const {
+    constexpr Context at(std::uint32_t i, std::uint32_t j = 0, std::uint32_t k = 0,
+                         std::uint32_t l = 0) const {
         i = std::min(i, a - 1), j = std::min(j, b - 1), k = std::min(k, c - 1),
         l = std::min(l, d - 1);
         return base + ((i * b + j) * c + k) * d + l;

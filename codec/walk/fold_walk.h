@@ -16,36 +16,30 @@
 #include <vector>
 
 #include "walk/front_search.h"
-#include "walk/tet_front.h"
+#include "walk/tet_steps.h"
 #include "walk/walk.h"
 
 namespace ravel {
 
 template <class Driver>
-class FoldWalk {
-  public:
-    FoldWalk(Driver& driver, const WalkLimits& limits) : driver_(driver), limits_(limits) {
-        walked_.kind = CellKind::tet;
-        walked_.fours = true;
-        reserve(walked_, limits);
-        on_border_.reserve(std::min<std::size_t>(limits.vertices, limits.plausible));
-        triangle_of_.reserve(std::min<std::size_t>(limits.corners, limits.plausible));
-    }
+class FoldWalk : public TetSteps<Driver> {
+    using Base = TetSteps<Driver>;
+    using Base::driver_, Base::front_, Base::limits_, Base::on_border_, Base::triangle_of_,
+        Base::walked_;
 
-    // False: the answers contradict each other or the limits (only a decoder can see this).
+  public:
+    FoldWalk(Driver& driver, const WalkLimits& limits) : Base(driver, limits) {}
+
+    // False: the answers contradict each other or the limits (only a decoder can see this), or the
+    // mesh is not one for this walk (only an encoder).
     bool run() {
         while (walked_.cell_count() < limits_.cells)
             if (!visit(kNone) || !wind_component()) return false;
-        grow(4 * std::size_t{walked_.cell_count()});
-        return walked_.vertex_count == limits_.vertices;
+        return this->end();
     }
 
-    const Walked& walked() const { return walked_; }
-    Walked take() { return std::move(walked_); }
-
   private:
-    static constexpr std::size_t kAhead = 1024;  // corners
-    static constexpr Id kFresh = kNone - 1;      // an apex that is a new vertex
+    static constexpr Id kFresh = kNone - 1;  // an apex that is a new vertex
 
     bool wind_component() {
         return wind(
@@ -67,56 +61,21 @@ class FoldWalk {
             }
             best = 4 * cell + 3 - (most & 3);
         }
-        // What waits to be found by its vertices: all new triangles but the one to go through.
-        for (const Id t : waiting_)
-            if (front_[t].facet != best) front_.insert(t);
-        goes_on_ = best != kNone && best >= 4 * (walked_.cell_count() - 1);
-        waiting_.clear();
-        return best;
+        return this->leave(best);
     }
 
     bool visit(Id gate) {
-        if (walked_.cell_count() >= limits_.cells) return false;
-        driver_.begin_cell(gate);
-        const Id cell = walked_.cell_count(), base = 4 * cell;
-        if (base + 4 > limits_.corners) return false;
-        walked_.gate.push_back(gate);
-        if (base + 4 > triangle_of_.size())
-            grow(std::min<std::size_t>(std::size_t{base} + 4 + kAhead, limits_.corners));
+        Id base = 0;
+        if (!this->begin_cell(gate, base)) return false;
         if (gate == kNone ? !place_seed(base) : !place(base, gate)) return false;
         if (failed_ || driver_.failed()) return false;
-        driver_.end_cell(cell);
-        return true;
-    }
-
-    // Makes room for so many corners; the last room is given back by `run`.
-    void grow(std::size_t corners) {
-        walked_.vertex.resize(corners, kNone);
-        walked_.twin.resize(corners, kNone);
-        triangle_of_.resize(corners, kNone);
-    }
-
-    bool add_vertex(Id corner, const Stencil& stencil) {
-        if (walked_.vertex_count >= limits_.vertices) return false;
-        const Id v = walked_.vertex_count++;
-        walked_.vertex[corner] = v;
-        on_border_.push_back(0);
-        driver_.new_vertex(v, corner & 3, stencil);
+        driver_.end_cell(base / 4);
         return true;
     }
 
     bool place_seed(Id base) {
-        for (Id i = 0; i < 4; ++i) {
-            Stencil stencil;
-            stencil.variant = static_cast<std::uint8_t>(std::min<Id>(i, 2));
-            const Id known = walked_.vertex_count;
-            for (Id j = 0; j < 3 && j < known; ++j) stencil.at[j] = known - 1 - j;
-            if (!add_vertex(base + i, stencil)) return false;
-        }
-        const auto& v = walked_.vertex;
-        const auto made = front_.add_seed({v[base], v[base + 1], v[base + 2], v[base + 3]}, base);
-        left_count_ = 0;
-        for (Id i = 0; i < 4; ++i) left_[left_count_++] = made[i];
+        if (!this->add_seed(base, left_)) return false;
+        left_count_ = 4;
         make_front(true);
         return true;
     }
@@ -130,16 +89,12 @@ class FoldWalk {
         const Id apex = code_apex(entry, t, edge);
         const bool fresh = apex == kFresh;
         if (fresh) {
-            if (!add_vertex(base + 3, stencil_at(t, vertex[gate]))) return false;
+            if (!this->add_vertex(base + 3, this->stencil_at(t, vertex[gate]))) return false;
         } else {
             if (apex >= walked_.vertex_count || is_in(t.vertex, apex)) return false;
             vertex[base + 3] = apex;
         }
-        if (!goes_on_) front_.erase(entry);
-        goes_on_ = false;
-        triangle_of_[gate] = kNone;
-        walked_.twin[gate] = base + 3;
-        walked_.twin[base + 3] = gate;
+        this->go_through(gate, base);
         const auto made = front_.add_tet(entry, vertex[base + 3], base);
         left_count_ = 0;
         // Nobody foresees which edge it is, so nothing branches on it.
@@ -153,16 +108,6 @@ class FoldWalk {
         if (!fresh) glue_left();
         make_front(fresh);
         return true;
-    }
-
-    Stencil stencil_at(const TetFront::Triangle& gate, Id behind) const {
-        Stencil stencil = stencil_of(
-            Configuration::tet,
-            {gate.vertex[0], gate.vertex[1], gate.vertex[2], behind, front_.apex_across(gate, 0),
-             front_.apex_across(gate, 1), front_.apex_across(gate, 2)});
-        for (Id e = 0; e < 3; ++e)
-            stencil.borders |= static_cast<std::uint8_t>(front_.across(gate, e).border << e);
-        return stencil;
     }
 
     // `edge`: the one of a fold that is likely, if it is that; the triangle across it is open.
@@ -236,14 +181,8 @@ class FoldWalk {
 
     // A triangle of the new tet meets the open one that has its vertices.
     void glue(Id triangle, Id other) {
-        const Id f = front_[triangle].facet;
-        if (!driver_.meets(f)) failed_ = true;
-        const Id g = front_[other].facet;
-        walked_.twin[f] = g;
-        walked_.twin[g] = f;
-        front_.erase(other);
-        triangle_of_[g] = kNone;
-        front_.glue(triangle, other);
+        if (!driver_.meets(front_[triangle].facet)) failed_ = true;
+        Base::glue(triangle, other);
     }
 
     // The triangles of `left_` are borders or join the front. Those that no border is near are
@@ -266,14 +205,12 @@ class FoldWalk {
         }
         for (std::size_t i = 0; i < left_count_; ++i) {
             const Id triangle = left_[i];
-            const Id f = front_[triangle].facet;
             if (limits_.has_border && (any_apart || contact[i] >= 2) &&
-                driver_.flag(tet::kFoldBorder.at(contact[i]), driver_.border(f))) {
-                become_border(triangle);
-                continue;
-            }
-            triangle_of_[f] = triangle;
-            waiting_.push_back(triangle);
+                driver_.flag(tet::kFoldBorder.at(contact[i]),
+                             driver_.border(front_[triangle].facet)))
+                this->become_border(triangle);
+            else
+                this->stay_open(triangle);
         }
     }
 
@@ -288,23 +225,10 @@ class FoldWalk {
         }
         return mates == 0 ? vertices : 4 + 6 * (mates - 1) + std::min(fan, 6u) - 1;
     }
-    void become_border(Id triangle) {
-        front_.set_border(triangle);
-        for (const Id v : front_[triangle].vertex) on_border_[v] = 1;
-    }
-
-    Driver& driver_;
-    const WalkLimits limits_;
-    Walked walked_;
-    TetFront front_;
     FrontSearch search_;
-    std::vector<Id> triangle_of_;  // per facet: its open triangle, or kNone
-    std::vector<Id> waiting_;      // open triangles that are not to be found yet
-    bool goes_on_ = false;         // through one of these
     bool failed_ = false;
     std::array<Id, 4> left_{};  // of the new tet: triangles that met none
     std::size_t left_count_ = 0;
-    std::vector<std::uint8_t> on_border_;  // per vertex
 };
 
 }  // namespace ravel

@@ -25,29 +25,27 @@
 #include "walk/border_signs.h"
 #include "walk/leaders.h"
 #include "walk/sphere_family.h"
-#include "walk/tet_front.h"
+#include "walk/tet_steps.h"
 #include "walk/vertex_grid.h"
 #include "walk/walk.h"
 
 namespace ravel {
 
 template <class Driver>
-class TetWalk {
+class TetWalk : public TetSteps<Driver> {
+    using Base = TetSteps<Driver>;
+    using Base::driver_, Base::front_, Base::limits_, Base::on_border_, Base::triangle_of_,
+        Base::walked_;
+
   public:
     TetWalk(Driver& driver, const WalkLimits& limits)
-        : driver_(driver), limits_(limits), grid_(limits.grid_side, limits.grid_count) {
-        walked_.kind = CellKind::tet;
-        walked_.fours = true;
-        reserve(walked_, limits);
+        : Base(driver, limits), grid_(limits.grid_side, limits.grid_count) {
         const std::size_t vertices = std::min<std::size_t>(limits.vertices, limits.plausible);
         grid_.reserve(vertices);
-        on_border_.reserve(vertices);
         open_count_.reserve(vertices);
-        const std::size_t corners = std::min<std::size_t>(limits.corners, limits.plausible);
-        triangle_of_.reserve(corners);
         if (limits.shape_step > 0) {
             leaders_.emplace(limits, vertices);
-            leaders_->reserve(corners);
+            leaders_->reserve(std::min<std::size_t>(limits.corners, limits.plausible));
         }
     }
 
@@ -55,16 +53,11 @@ class TetWalk {
     bool run() {
         while (walked_.cell_count() < limits_.cells)
             if (!visit(kNone) || !wind_component()) return false;
-        grow(4 * std::size_t{walked_.cell_count()});
-        return walked_.vertex_count == limits_.vertices;
+        return this->end();
     }
-
-    const Walked& walked() const { return walked_; }
-    Walked take() { return std::move(walked_); }
 
   private:
     enum class Apex : std::uint8_t { fold, fresh, old };
-    static constexpr std::size_t kAhead = 1024;  // corners
 
     bool wind_component() {
         return wind(
@@ -90,57 +83,24 @@ class TetWalk {
                 (open == least && walked_.vertex[f] < walked_.vertex[best]))
                 best = f, least = open;
         }
-        // What waits to be found by its vertices: all new triangles but the one to go through.
-        for (const Id t : waiting_)
-            if (front_[t].facet != best) front_.insert(t);
-        goes_on_ = best != kNone && best >= 4 * (walked_.cell_count() - 1);
-        waiting_.clear();
-        return best;
+        return this->leave(best);
     }
 
     bool visit(Id gate) {
-        if (walked_.cell_count() >= limits_.cells) return false;
-        driver_.begin_cell(gate);
-        const Id cell = walked_.cell_count(), base = 4 * cell;
-        if (base + 4 > limits_.corners) return false;
-        walked_.gate.push_back(gate);
-        if (base + 4 > triangle_of_.size())
-            grow(std::min<std::size_t>(std::size_t{base} + 4 + kAhead, limits_.corners));
+        Id base = 0;
+        if (!this->begin_cell(gate, base)) return false;
         if (gate == kNone ? !place_seed(base) : !place(base, gate)) return false;
         if (driver_.failed()) return false;
-        driver_.end_cell(cell);
-        return true;
-    }
-
-    // Makes room for so many corners; the last room is given back by `run`.
-    void grow(std::size_t corners) {
-        walked_.vertex.resize(corners, kNone);
-        walked_.twin.resize(corners, kNone);
-        triangle_of_.resize(corners, kNone);
-    }
-
-    bool add_vertex(Id corner, const Stencil& stencil) {
-        if (walked_.vertex_count >= limits_.vertices) return false;
-        const Id v = walked_.vertex_count++;
-        walked_.vertex[corner] = v;
-        on_border_.push_back(0);
-        open_count_.push_back(0);
-        driver_.new_vertex(v, corner & 3, stencil);
+        driver_.end_cell(base / 4);
         return true;
     }
 
     bool place_seed(Id base) {
-        for (Id i = 0; i < 4; ++i) {
-            Stencil stencil;
-            stencil.variant = static_cast<std::uint8_t>(std::min<Id>(i, 2));
-            const Id known = walked_.vertex_count;
-            for (Id j = 0; j < 3 && j < known; ++j) stencil.at[j] = known - 1 - j;
-            if (!add_vertex(base + i, stencil)) return false;
-        }
+        std::array<Id, 4> made;
+        if (!this->add_seed(base, made)) return false;
+        open_count_.resize(walked_.vertex_count, 0);
         if (leaders_) leaders_->enter_seed();
-        const auto& v = walked_.vertex;
-        const auto made = front_.add_seed({v[base], v[base + 1], v[base + 2], v[base + 3]}, base);
-        for (Id i = 0; i < 4; ++i) make_front(made[i], Apex::fresh);
+        for (const Id triangle : made) make_front(triangle, Apex::fresh);
         return true;
     }
 
@@ -154,33 +114,25 @@ class TetWalk {
         const bool led = leaders_ && code_led(t, gate, kind, apex);
         if (!led) apex = code_apex(t, kind);
         if (kind == Apex::fresh) {
-            if (!add_vertex(base + 3, stencil_at(t, vertex[gate], led))) return false;
+            if (!this->add_vertex(base + 3, stencil_at(t, vertex[gate], led))) return false;
+            open_count_.push_back(0);
         } else {
             if (apex >= walked_.vertex_count || is_in(t.vertex, apex)) return false;
             vertex[base + 3] = apex;
         }
         if (leaders_) leaders_->enter_cell(walked_, base, led);
-        if (!goes_on_) front_.erase(entry);
-        goes_on_ = false;
+        this->go_through(gate, base);
         count(t, false);
-        triangle_of_[gate] = kNone;
-        walked_.twin[gate] = base + 3;
-        walked_.twin[base + 3] = gate;
         for (const Id made : front_.add_tet(entry, vertex[base + 3], base)) make_front(made, kind);
         return true;
     }
 
-    Stencil stencil_at(const TetFront::Triangle& gate, Id behind, bool led) {
-        Stencil stencil = stencil_of(
-            led ? Configuration::led : Configuration::tet,
-            {gate.vertex[0], gate.vertex[1], gate.vertex[2], behind, front_.apex_across(gate, 0),
-             front_.apex_across(gate, 1), front_.apex_across(gate, 2)});
-        if (led) {
-            std::copy_n(leaders_->vertices().begin(), 5, stencil.at.begin() + 7);
-            return stencil;
-        }
-        for (Id e = 0; e < 3; ++e)
-            stencil.borders |= static_cast<std::uint8_t>(front_.across(gate, e).border << e);
+    Stencil stencil_at(const TetFront::Triangle& gate, Id behind, bool led) const {
+        Stencil stencil = Base::stencil_at(gate, behind);
+        if (!led) return stencil;
+        stencil.configuration = Configuration::led;
+        stencil.borders = 0;
+        std::copy_n(leaders_->vertices().begin(), 5, stencil.at.begin() + 7);
         return stencil;
     }
 
@@ -330,26 +282,20 @@ class TetWalk {
             const Id other = front_.find(triangle);
             if (other != kNone) {
                 if (driver_.flag(tet::kGlue.at(apex == Apex::fold), driver_.glues(f))) {
-                    const Id g = front_[other].facet;
-                    walked_.twin[f] = g;
-                    walked_.twin[g] = f;
-                    front_.erase(other);
                     count(t, false);
-                    triangle_of_[g] = kNone;
-                    front_.glue(triangle, other);
+                    this->glue(triangle, other);
                 } else {
                     // Only one gluing has these vertices, and it is still open.
-                    become_border(triangle);
+                    this->become_border(triangle);
                 }
                 return;
             }
         }
         if (limits_.has_border && driver_.flag(border_context(t), driver_.border(f))) {
-            become_border(triangle);
+            this->become_border(triangle);
             return;
         }
-        triangle_of_[f] = triangle;
-        waiting_.push_back(triangle);
+        this->stay_open(triangle);
         count(t, true);
     }
 
@@ -376,20 +322,7 @@ class TetWalk {
     std::array<Point3, 3> points_of(const TetFront::Triangle& t) const {
         return {driver_.place(t.vertex[0]), driver_.place(t.vertex[1]), driver_.place(t.vertex[2])};
     }
-    void become_border(Id triangle) {
-        front_.set_border(triangle);
-        for (const Id v : front_[triangle].vertex) on_border_[v] = 1;
-    }
-
-    Driver& driver_;
-    const WalkLimits limits_;
-    Walked walked_;
-    TetFront front_;
     VertexGrid grid_;
-    std::vector<Id> triangle_of_;            // per facet: its open triangle, or kNone
-    std::vector<Id> waiting_;                // open triangles that are not to be found yet
-    bool goes_on_ = false;                   // through one of these
-    std::vector<std::uint8_t> on_border_;    // per vertex
     std::vector<std::uint32_t> open_count_;  // per vertex: open triangles around it
     ApexList list_;
     ApexSearch search_;
