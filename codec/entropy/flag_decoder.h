@@ -72,7 +72,7 @@ class FlagDecoder {
         return value << count | bits(count);
     }
 
-    // A number whose rest has `count` bits, at most 46.
+    // A number whose rest has `count` bits, at most 41.
     std::uint64_t rice(int count) {
         if (held_ < kRiceEscape + 1) refill();
         const int zeros = std::countl_zero(hold_);

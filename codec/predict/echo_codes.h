@@ -1,7 +1,7 @@
 // Vertices that stand where an earlier one stood, once mirrored or moved. The earlier vertex is
 // looked for beside those that the neighbours echo, or else near the place from which the guess
-// would have come, and one flag says whether the new
-// one is told by it. On either side: `Coder` writes or reads flags.
+// would have come, and one flag says whether the new one is told by it. On either side: `Coder`
+// writes or reads flags.
 #pragma once
 
 #include <algorithm>

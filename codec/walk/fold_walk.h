@@ -97,11 +97,11 @@ class FoldWalk : public TetSteps<Driver> {
         this->go_through(gate, base);
         const auto made = front_.add_tet(entry, vertex[base + 3], base);
         left_count_ = 0;
-        // Nobody foresees which edge it is, so nothing branches on it.
+        // Nobody foresees across which edge a fold is; so that triangle is not looked for.
         if (edge != kNone) {
             glue(made[edge], front_.beyond(made[edge]));
             for (Id k = 1; k < 3; ++k)
-                left_[left_count_++] = made[edge + k > 2 ? edge + k - 3 : edge + k];
+                left_[left_count_++] = made[FrontSearch::edge_after(edge, k)];
         } else {
             for (const Id triangle : made) left_[left_count_++] = triangle;
         }
@@ -225,6 +225,7 @@ class FoldWalk : public TetSteps<Driver> {
         }
         return mates == 0 ? vertices : 4 + 6 * (mates - 1) + std::min(fan, 6u) - 1;
     }
+
     FrontSearch search_;
     bool failed_ = false;
     std::array<Id, 4> left_{};  // of the new tet: triangles that met none

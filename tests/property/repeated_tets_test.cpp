@@ -68,6 +68,18 @@ TEST_CASE("cubes that are cut alike and bent cost little more") {
     }
 }
 
+TEST_CASE("rough tets by folds take a few bits, and so does what folds cannot walk") {
+    for (const char* recipe : {"tets:ball=9,jitter=0.3", "tets:shell=9,jitter=0.3,double,shuffle"})
+        for (const std::optional<int> bits : {std::optional<int>{}, std::optional<int>{14}}) {
+            INFO(recipe << ", " << bits.value_or(0) << " bits");
+            CHECK(cost_of(made(recipe), bits, true).connectivity < 3);
+        }
+    // In the last one facets have the same vertices and do not meet.
+    for (const char* recipe :
+         {"tiny:tets-on-one-face", "soup:tets=200,seed=5", "soup:tets=1000,seed=1"})
+        cost_of(made(recipe), 9, true);
+}
+
 TEST_CASE("a ball of cubes costs less than one whose points are astray") {
     const Cost even = cost_of(made("tets:ball=9"), 14);
     const Cost rough = cost_of(made("tets:ball=9,jitter=0.3"), 14);

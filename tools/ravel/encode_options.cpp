@@ -141,8 +141,8 @@ void add_encode_flags(CLI::App& verb, EncodeFlags& flags) {
                       ->type_name("L")
                       ->group("Effort");
     verb.add_flag("--fast", flags.fast,
-                  "Made and decoded two to four times as fast, and larger: parts, mirrors and "
-                  "planes are not looked for; zstd's level 3")
+                  "Mostly made and decoded at twice the speed or more, and larger: parts, mirrors "
+                  "and planes are not looked for; zstd's level 3")
         ->excludes(level)
         ->group("Effort");
 }

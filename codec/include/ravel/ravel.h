@@ -50,9 +50,9 @@ struct EncodeOptions {
     std::optional<double> strip_budget;
     std::vector<AttributeOptions> attributes;  // all others come back bit for bit
     int level = 19;                            // zstd's level, 1..22
-    // Files that are made and decoded two to four times as fast, but are larger, most where a mesh
-    // repeats or mirrors itself or lies in planes: none of this is looked for, nor do places of
-    // vertices tell which ones a tet has.
+    // Files that are mostly made and decoded at twice the speed or more, but are larger, most where
+    // a mesh repeats or mirrors itself or lies in planes: none of this is looked for but lattices of
+    // tets; of other tets places of vertices do not tell which ones they have.
     bool fast = false;
     // How many threads may work at a time, the caller's among them; 0: as many as the machine can
     // run. The bytes are the same.
